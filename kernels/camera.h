@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera, and the ray through a point of its picture. The picture's x runs from -0.5 (left) to 0.5, y from -0.5
+// (bottom) to 0.5; `right` and `up` span it, `direction` leads from `location` to its centre.
+#pragma once
+#include "kernels/geometry.h"
+
+namespace proxima {
+
+enum class CameraKind : uint32_t { perspective, orthographic };
+
+template <class Real> struct Camera {
+    CameraKind kind = CameraKind::perspective;
+    Vec3<Real> location{Real(0)};
+    Vec3<Real> direction{Real(0), Real(0), Real(1)};
+    Vec3<Real> right{Real(1.33), Real(0), Real(0)};
+    Vec3<Real> up{Real(0), Real(1), Real(0)};
+};
+
+/// The ray through (x, y) of the picture, both in [-0.5, 0.5]; y points up.
+template <class Real> HD Ray<Real> camera_ray(const Camera<Real>& camera, Real x, Real y) {
+    const Vec3<Real> across = x * camera.right + y * camera.up;
+    if (camera.kind == CameraKind::orthographic)
+        return {camera.location + across, glm::normalize(camera.direction)};
+    return {camera.location, glm::normalize(camera.direction + across)};
+}
+
+} // namespace proxima

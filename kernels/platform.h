@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What differs between a plain C++ compiler and nvcc. Only this file and vector_math.h name __CUDACC__.
+#pragma once
+
+/// Marks a function that runs on the host and on the device.
+#if defined(__CUDACC__)
+#define HD __host__ __device__
+#else
+#define HD
+#endif
+
+#include <cstdint>
+
+namespace proxima {
+
+/// Adds `value` to `*counter` atomically and returns what was there before.
+HD inline uint32_t atomic_add(uint32_t* counter, uint32_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicAdd(counter, value);
+#else
+    return __atomic_fetch_add(counter, value, __ATOMIC_RELAXED);
+#endif
+}
+
+} // namespace proxima

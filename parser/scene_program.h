@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The product of the parser and the input of the renderer: one frame's scene as plain arrays, in double, in the order of
+// the scene file. Nothing here knows about text, devices or images.
+#pragma once
+#include "kernels/camera.h"
+#include "kernels/geometry.h"
+#include "kernels/light.h"
+#include "kernels/material.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace proxima {
+
+/// How the numbers of the working space become linear light. POV-Ray applies it to the finished pixel.
+enum class WorkingCurve : uint32_t {
+    linear,  ///< assumed_gamma 1: the numbers are linear light
+    power,   ///< assumed_gamma g: linear = v^g
+    srgb,    ///< assumed_gamma srgb: the numbers are sRGB-encoded
+    display, ///< neither #version 3.7 nor assumed_gamma: the numbers go to the file as they are; taken as sRGB-encoded
+};
+
+struct SceneProgram {
+    // Geometry. Spheres are two arrays of one length; ids count spheres, then ellipsoids, then planes.
+    std::vector<Sphere<double>> spheres;
+    std::vector<uint32_t> sphere_materials;
+    std::vector<Ellipsoid<double>> ellipsoids;
+    std::vector<Plane<double>> planes;
+
+    // Surfaces. Equal records are stored once.
+    std::vector<Material> materials;
+    std::vector<Layer> layers;
+    std::vector<Pigment> pigments;
+    std::vector<Finish> finishes;
+    std::vector<Interior> interiors;
+    std::vector<Affine<double>> transforms; ///< world -> pattern space, for Pigment::transform
+
+    std::vector<Light<double>> lights;
+    Camera<double> camera;
+
+    glm::vec3 background{0.0f}; ///< already scaled by 1 - transmit where POV-Ray does
+    glm::vec3 ambient_light{1.0f};
+    uint32_t max_trace_level = 5; ///< 1 ... 256
+    float adc_bailout = 1.0f / 255.0f;
+    WorkingCurve working_curve = WorkingCurve::linear;
+    float working_gamma = 1.0f;       ///< the exponent of WorkingCurve::power
+    bool legacy_transparency = false; ///< version < 3.7: opacity is 1 - (filter * max(r, g, b) + transmit)
+
+    /// The script read clock, frame_number or the like: another frame may be another scene.
+    bool depends_on_time = false;
+};
+
+} // namespace proxima

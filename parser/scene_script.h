@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parser's front door: a scene file read once, evaluated as often as there are frames.
+#pragma once
+#include "parser/diagnostics.h"
+#include "parser/scene_program.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace proxima {
+
+/// The values of the predeclared animation names for one frame; the defaults are a still's.
+struct SceneClock {
+    double clock = 0;
+    double clock_delta = 0;
+    bool clock_on = false;
+    double frame_number = 0;
+    double initial_frame = 0;
+    double final_frame = 0;
+    double initial_clock = 0;
+    double final_clock = 0;
+};
+
+struct EvaluationSettings {
+    SceneClock time;
+    uint32_t image_width = 640;
+    uint32_t image_height = 480;
+    /// --declare NAME=VALUE: a number, or a string in double quotes.
+    std::vector<std::pair<std::string, std::string>> declares;
+    uint64_t step_limit = 2'000'000'000; ///< tokens evaluated; past it an endless loop is assumed
+    /// The script is not evaluated again: literal spheres are moved out of the syntax instead of copied.
+    bool last_evaluation = false;
+};
+
+class SceneScript {
+public:
+    /// Reads and parses `path`. Mistakes go to `diagnostics`; files that cannot be read throw FileError.
+    SceneScript(const std::filesystem::path& path, std::vector<std::filesystem::path> include_paths, Diagnostics& diagnostics);
+    ~SceneScript();
+    SceneScript(SceneScript&&) noexcept;
+
+    /// One frame's scene. The result may be used only when `diagnostics` holds no error.
+    SceneProgram evaluate(const EvaluationSettings& settings, Diagnostics& diagnostics);
+
+    const SourceFiles& files() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace proxima

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device that renders frames: what the rest of the renderer knows of a backend. One virtual call a frame; everything
+// behind it is one template (frame_pipeline.h).
+#pragma once
+#include "parser/scene_program.h"
+#include "renderer/image.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace proxima {
+
+enum class Precision { float32, float64 };
+enum class Tolerances { exact, povray };
+enum class Accelerator { automatic, grid, brute };
+
+struct FrameSettings {
+    uint32_t width = 640;
+    uint32_t height = 480;
+    uint32_t samples = 1; ///< rays a pixel; 1 is the pixel's centre
+    Precision precision = Precision::float32;
+    Tolerances tolerances = Tolerances::exact;
+    Accelerator accelerator = Accelerator::automatic;
+    std::array<uint32_t, 3> grid{0, 0, 0}; ///< voxels along x, y, z; 0 = chosen from the scene
+};
+
+/// What a frame took and what it was made with. Milliseconds; a step that did not run is 0.
+struct FrameStatistics {
+    std::string method; ///< "grid" or "brute"
+    std::array<uint32_t, 3> grid{0, 0, 0};
+    uint64_t references = 0; ///< entries in all voxels' lists
+    uint64_t occupied = 0;   ///< voxels with at least one
+    double mean_distance = 0;
+    double motion_ms = 0, build_ms = 0, cloud_ms = 0, trace_ms = 0, readback_ms = 0;
+    uint64_t peak_device_bytes = 0;
+};
+
+/// Renders frames on one device. Throws DeviceError; a renderer that threw may not be used again.
+class FrameRenderer {
+public:
+    virtual ~FrameRenderer() = default;
+    /// The device as `proxima devices` names it: "cpu" or "cuda:0".
+    virtual std::string name() const = 0;
+    /// Takes over a scene; it is rendered by every render() until the next call.
+    virtual void set_scene(const SceneProgram& scene) = 0;
+    /// Renders the scene into `image`, which is resized to fit.
+    virtual FrameStatistics render(const FrameSettings& settings, Image& image) = 0;
+};
+
+struct DeviceDescription {
+    std::string id;     ///< "cpu", "cuda:0", ...
+    std::string name;   ///< the maker's name
+    uint64_t memory = 0; ///< bytes
+    std::string note;    ///< cores, compute capability
+};
+
+/// `threads` 0 is one for each core that the process may use.
+std::unique_ptr<FrameRenderer> make_cpu_renderer(unsigned threads);
+/// Throws DeviceError when this build has no CUDA or the host has no such device.
+std::unique_ptr<FrameRenderer> make_cuda_renderer(int ordinal);
+
+/// The CUDA devices of this host. Empty without a driver, a device, or CUDA in the build; `reason` then says which.
+std::vector<DeviceDescription> list_cuda_devices(std::string& reason);
+DeviceDescription describe_cpu(unsigned threads);
+
+} // namespace proxima
