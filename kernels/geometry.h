@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes, in the scene's own units, and the pure functions that meet them with a ray.
+// The shapes, in the scene's own units, and the pure functions that meet them with a ray. Distances are along the ray's
+// unit direction, from its origin.
 #pragma once
 #include "kernels/vector_math.h"
 
@@ -35,5 +36,76 @@ template <class Real> struct Box {
     Vec3<Real> lower{Real(0)};
     Vec3<Real> upper{Real(0)};
 };
+
+/// The box that an ellipsoid just fits in.
+template <class Real> HD Box<Real> bounding_box(const Ellipsoid<Real>& ellipsoid) {
+    const Affine<Real>& map = ellipsoid.world_from_object;
+    Vec3<Real> half;
+    for (int i = 0; i < 3; ++i)
+        half[i] = glm::length(Vec3<Real>(map.linear[0][i], map.linear[1][i], map.linear[2][i]));
+    return {map.offset - half, map.offset + half};
+}
+
+/// The smallest of a sphere's two distances along `ray` that lies beyond `nearest`; infinity when there is none. The
+/// ray must pass the centre within a half chord of more than sqrt(min_half_chord2).
+/// Stable form: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
+template <class Real>
+HD Real intersect(const Sphere<Real>& sphere, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
+    const Vec3<Real> from_center = ray.origin - sphere.center;
+    const Real b = -glm::dot(from_center, ray.direction);
+    const Vec3<Real> closest = from_center + b * ray.direction;
+    const Real radius2 = sphere.radius * sphere.radius;
+    const Real half_chord2 = radius2 - glm::dot(closest, closest);
+    if (!(half_chord2 > min_half_chord2))
+        return infinity<Real>;
+    const Real half_chord = square_root(half_chord2);
+    const Real q = b < 0 ? b - half_chord : b + half_chord;
+    const Real other = (glm::dot(from_center, from_center) - radius2) / q;
+    const Real near = b < 0 ? q : other;
+    const Real far = b < 0 ? other : q;
+    return near > nearest ? near : far > nearest ? far : infinity<Real>;
+}
+
+/// As for a sphere; the half chord is measured in the ellipsoid's own space.
+template <class Real>
+HD Real intersect(const Ellipsoid<Real>& ellipsoid, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
+    const Vec3<Real> direction = ellipsoid.object_from_world.direction(ray.direction);
+    const Real length = glm::length(direction);
+    const Ray<Real> seen{ellipsoid.object_from_world.point(ray.origin), direction / length};
+    return intersect(Sphere<Real>{}, seen, nearest * length, min_half_chord2) / length;
+}
+
+/// The distance to a plane if it lies beyond `nearest`, else infinity. Rays within `min_cosine` of the plane miss it.
+template <class Real> HD Real intersect(const Plane<Real>& plane, const Ray<Real>& ray, Real nearest, Real min_cosine) {
+    const Real cosine = glm::dot(plane.normal, ray.direction);
+    if (!(magnitude(cosine) > min_cosine))
+        return infinity<Real>;
+    const Real t = (plane.distance - glm::dot(plane.normal, ray.origin)) / cosine;
+    return t > nearest ? t : infinity<Real>;
+}
+
+/// The part of a ray inside a box; `enter` is 0 for an origin inside. A ray that misses has enter > exit.
+template <class Real> struct Span {
+    Real enter = Real(0);
+    Real exit = infinity<Real>;
+};
+
+template <class Real> HD Span<Real> intersect(const Box<Real>& box, const Ray<Real>& ray) {
+    Span<Real> span;
+    for (int i = 0; i < 3; ++i) {
+        const Real origin = ray.origin[i];
+        if (ray.direction[i] == 0) { // no division: 0 / 0 on a face would lose the ray
+            if (origin < box.lower[i] || origin > box.upper[i])
+                return {Real(1), Real(0)};
+            continue;
+        }
+        const Real inverse = Real(1) / ray.direction[i];
+        const Real low = (box.lower[i] - origin) * inverse;
+        const Real high = (box.upper[i] - origin) * inverse;
+        span.enter = larger(span.enter, smaller(low, high));
+        span.exit = smaller(span.exit, larger(low, high));
+    }
+    return span;
+}
 
 } // namespace proxima

@@ -17,11 +17,78 @@
 #pragma nv_diagnostic pop
 #endif
 
+#include <cmath>
+#include <limits>
+
 namespace proxima {
 
 template <class Real> using Vec3 = glm::vec<3, Real, glm::defaultp>;
 template <class Real> using Vec4 = glm::vec<4, Real, glm::defaultp>;
 template <class Real> using Mat3 = glm::mat<3, 3, Real, glm::defaultp>;
+
+template <class Real> inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+// The scalar functions that kernels use, under one name for either precision and either compiler.
+template <class Real> HD Real smaller(Real a, Real b) {
+    return b < a ? b : a;
+}
+template <class Real> HD Real larger(Real a, Real b) {
+    return a < b ? b : a;
+}
+template <class Real> HD Real clamped(Real v, Real low, Real high) {
+    return smaller(larger(v, low), high);
+}
+HD inline float power(float base, float exponent) {
+    return ::powf(base, exponent);
+}
+HD inline double power(double base, double exponent) {
+    return ::pow(base, exponent);
+}
+HD inline float exponential(float v) {
+    return ::expf(v);
+}
+HD inline double exponential(double v) {
+    return ::exp(v);
+}
+HD inline float arc_cosine(float v) {
+    return ::acosf(v);
+}
+HD inline double arc_cosine(double v) {
+    return ::acos(v);
+}
+HD inline float square_root(float v) {
+    return ::sqrtf(v);
+}
+HD inline double square_root(double v) {
+    return ::sqrt(v);
+}
+HD inline float round_down(float v) {
+    return ::floorf(v);
+}
+HD inline double round_down(double v) {
+    return ::floor(v);
+}
+HD inline float magnitude(float v) {
+    return ::fabsf(v);
+}
+HD inline double magnitude(double v) {
+    return ::fabs(v);
+}
+HD inline float just_below(float v) {
+    return ::nextafterf(v, -infinity<float>);
+}
+HD inline double just_below(double v) {
+    return ::nextafter(v, -infinity<double>);
+}
+
+template <class Real> HD Real max_component(const Vec3<Real>& v) {
+    return larger(larger(v.x, v.y), v.z);
+}
+
+/// POV-Ray's weights of a colour's channels.
+template <class Real> HD Real grey(const Vec3<Real>& c) {
+    return Real(0.297) * c.x + Real(0.589) * c.y + Real(0.114) * c.z;
+}
 
 /// An affine map of points: p -> linear * p + offset.
 template <class Real> struct Affine {
@@ -30,7 +97,8 @@ template <class Real> struct Affine {
 
     HD Vec3<Real> point(const Vec3<Real>& p) const { return linear * p + offset; }
     HD Vec3<Real> direction(const Vec3<Real>& d) const { return linear * d; }
-    /// Maps a surface normal backwards: with `this` the object <- world map, the result is the (unnormalised) world normal.
+    /// Maps a surface normal backwards: with `this` the object <- world map, the result is the (unnormalised) world
+    /// normal.
     HD Vec3<Real> normal_to_source(const Vec3<Real>& n) const { return n * linear; }
 };
 

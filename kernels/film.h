@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture while it is made: where its samples lie, in which order its pixels are traced, and how the sums of
+// samples become linear light.
+#pragma once
+#include "kernels/camera.h"
+
+#include <span>
+
+namespace proxima {
+
+/// The curve of a scene's working space; the numbers of parser/scene_program.h's WorkingCurve.
+enum class FilmCurve : uint32_t { linear, power, srgb };
+
+struct FilmView {
+    std::span<glm::vec3> pixels; ///< rows from top to bottom
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t samples = 1;
+};
+
+/// Pixels are traced in tiles of 8x4, so that neighbours in a warp or a cache see the same primitives.
+inline constexpr uint32_t tile_width = 8, tile_height = 4;
+
+HD inline uint64_t tiled_pixel_count(uint32_t width, uint32_t height) {
+    return uint64_t((width + tile_width - 1) / tile_width) * ((height + tile_height - 1) / tile_height) *
+           (tile_width * tile_height);
+}
+
+struct PixelPosition {
+    uint32_t x, y; ///< may lie outside the picture, in the part of a tile that sticks out
+};
+
+HD inline PixelPosition tiled_pixel(uint64_t index, uint32_t width) {
+    const uint32_t tiles_across = (width + tile_width - 1) / tile_width;
+    const uint64_t tile = index / (tile_width * tile_height);
+    const uint32_t within = uint32_t(index % (tile_width * tile_height));
+    return {uint32_t(tile % tiles_across) * tile_width + within % tile_width,
+            uint32_t(tile / tiles_across) * tile_height + within / tile_width};
+}
+
+/// Where sample `index` lies in its pixel, in [0, 1): the R2 sequence from the centre on (Roberts, "The Unreasonable
+/// Effectiveness of Quasirandom Sequences", 2018), in fixed point so that every processor has the same.
+template <class Real> struct SampleOffset { Real x, y; };
+
+template <class Real> HD SampleOffset<Real> sample_offset(uint32_t index) {
+    constexpr Real unit = Real(1) / Real(16777216); // 2^-24: exact in either precision
+    return {Real((0x80000000u + index * 3242174889u) >> 8) * unit,
+            Real((0x80000000u + index * 2447445414u) >> 8) * unit};
+}
+
+/// The camera ray through a sample of a pixel.
+template <class Real>
+HD Ray<Real> pixel_ray(const Camera<Real>& camera, const FilmView& film, PixelPosition pixel, uint32_t sample) {
+    const SampleOffset<Real> offset = sample_offset<Real>(sample);
+    return camera_ray(camera, (Real(pixel.x) + offset.x) / Real(film.width) - Real(0.5),
+                      Real(0.5) - (Real(pixel.y) + offset.y) / Real(film.height));
+}
+
+HD inline float srgb_to_linear(float v) {
+    return v <= 0.04045f ? v / 12.92f : power((v + 0.055f) / 1.055f, 2.4f);
+}
+
+/// Pixel -> the mean of its samples, in linear light.
+struct ResolvePixels {
+    FilmView film;
+    FilmCurve curve = FilmCurve::linear;
+    float gamma = 1.0f;
+
+    HD void operator()(uint32_t index) const {
+        glm::vec3 v = film.pixels[index] / float(film.samples);
+        for (int i = 0; i < 3; ++i) {
+            if (curve == FilmCurve::power)
+                v[i] = power(larger(v[i], 0.0f), gamma);
+            else if (curve == FilmCurve::srgb)
+                v[i] = srgb_to_linear(v[i]);
+        }
+        film.pixels[index] = v;
+    }
+};
+
+} // namespace proxima

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The transparent primitives that a ray is in, in the order in which it entered them, and what they do to light.
+#pragma once
+#include "kernels/surface.h"
+
+namespace proxima {
+
+/// A short list of primitive ids. A ray may be inside at most `capacity` primitives; more are dropped and noticed.
+struct InteriorList {
+    static constexpr uint32_t capacity = 32;
+
+    uint32_t ids[capacity];
+    uint32_t count = 0;
+    bool overflow = false;
+
+    HD uint32_t last() const { return count ? ids[count - 1] : no_primitive; }
+    HD bool contains(uint32_t id) const {
+        for (uint32_t i = 0; i < count; ++i)
+            if (ids[i] == id)
+                return true;
+        return false;
+    }
+    HD void enter(uint32_t id) {
+        if (count < capacity)
+            ids[count++] = id;
+        else
+            overflow = true;
+    }
+    HD void leave(uint32_t id) {
+        uint32_t kept = 0;
+        for (uint32_t i = 0; i < count; ++i)
+            if (ids[i] != id)
+                ids[kept++] = ids[i];
+        count = kept;
+    }
+    HD void toggle(uint32_t id) {
+        if (contains(id))
+            leave(id);
+        else
+            enter(id);
+    }
+    HD void copy_from(const InteriorList& other) {
+        count = other.count;
+        for (uint32_t i = 0; i < count; ++i)
+            ids[i] = other.ids[i];
+    }
+    /// Enters in the order of the ids, whatever the order of the calls.
+    HD void enter_sorted(uint32_t id) {
+        if (contains(id))
+            return;
+        enter(id);
+        for (uint32_t i = count; i-- > 1 && ids[i - 1] > ids[i];) {
+            const uint32_t swapped = ids[i];
+            ids[i] = ids[i - 1];
+            ids[i - 1] = swapped;
+        }
+    }
+};
+
+template <class Real> HD const Interior& interior_of(const SceneView<Real>& scene, uint32_t primitive) {
+    return scene.surfaces.interiors[scene.surfaces.materials[scene.geometry.material(primitive)].interior];
+}
+
+template <class Real> HD Real ior_of(const SceneView<Real>& scene, uint32_t primitive) {
+    return primitive == no_primitive ? Real(1) : Real(interior_of(scene, primitive).ior);
+}
+
+/// For Fresnel's equation: the index on the far side of a primitive's surface over that of the near side.
+template <class Real>
+HD Real far_over_near_ior(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
+    const Real own = ior_of(scene, primitive);
+    return interiors.contains(primitive) ? Real(1) / own : own / ior_of(scene, interiors.last());
+}
+
+/// For Snell's law: the index on the near side over that of the far side, by what the ray has entered. A ray that
+/// leaves something other than what it entered last does not bend.
+template <class Real>
+HD Real crossing_ior_ratio(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
+    const Real own = ior_of(scene, primitive);
+    if (!interiors.contains(primitive))
+        return ior_of(scene, interiors.last()) / own;
+    if (interiors.last() != primitive)
+        return Real(1);
+    return own / ior_of(scene, interiors.count > 1 ? interiors.ids[interiors.count - 2] : no_primitive);
+}
+
+/// The interiors around a point that rays can be in: those of transparent primitives, or ones that bend light.
+template <class Real> HD InteriorList interiors_at(const SceneView<Real>& scene, const Vec3<Real>& point) {
+    InteriorList list;
+    for_each_around(scene, point, [&](uint32_t id) {
+        const Material& material = scene.surfaces.materials[scene.geometry.material(id)];
+        const bool counts = (material.flags & material_transparent) || interior_of(scene, id).ior != 1;
+        if (counts && contains(scene.geometry, id, point))
+            list.enter_sorted(id);
+    });
+    return list;
+}
+
+/// What is left of light after a way of length `distance` through all of the list.
+template <class Real> HD Vec3<Real> attenuation(const SceneView<Real>& scene, const InteriorList& list, Real distance) {
+    Vec3<Real> left(Real(1));
+    for (uint32_t i = 0; i < list.count; ++i) {
+        const Interior& interior = interior_of(scene, list.ids[i]);
+        if (!(interior.fade_power > 0) || !(magnitude(interior.fade_distance) > 1e-10f))
+            continue;
+        const Real depth = distance / Real(interior.fade_distance);
+        const Real clear = interior.fade_power >= 1000 ? exponential(-depth)
+                                                       : Real(1) / (Real(1) + power(depth, Real(interior.fade_power)));
+        const Vec3<Real> tint(interior.fade_color);
+        left *= tint + (Vec3<Real>(Real(1)) - tint) * clear;
+    }
+    return left;
+}
+
+} // namespace proxima

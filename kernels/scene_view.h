@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// A frame's scene as the kernels see it: views of device arrays and a few numbers. Nothing here owns memory.
+#pragma once
+#include "kernels/camera.h"
+#include "kernels/geometry.h"
+#include "kernels/grid.h"
+#include "kernels/light.h"
+#include "kernels/material.h"
+
+#include <span>
+
+namespace proxima {
+
+inline constexpr uint32_t no_primitive = 0xffffffffu;
+
+/// Which hits count. The defaults accept every hit in front of the ray; povray() has POV-Ray 3.7's absolute numbers.
+template <class Real> struct HitLimits {
+    Real min_half_chord2 = Real(0);
+    Real min_cosine = Real(0); ///< between a ray and a plane
+    Real nearest = Real(0);
+    Real farthest = infinity<Real>;
+    Real shadow_margin = Real(0); ///< at either end of a shadow ray
+
+    HD static HitLimits povray() { return {Real(1e-10), Real(1e-10), Real(1e-4), Real(1e7), Real(1e-3)}; }
+};
+
+/// Ids count spheres, then ellipsoids, then planes. Spheres and ellipsoids are `bounded`: they lie in `bounds`, save
+/// those of radius above `large_radius`, which are listed in `large`; every ray tests those and the planes.
+template <class Real> struct GeometryView {
+    std::span<const Sphere<Real>> spheres;
+    std::span<const uint32_t> sphere_materials;
+    std::span<const Ellipsoid<Real>> ellipsoids;
+    std::span<const Plane<Real>> planes;
+    std::span<const uint32_t> large;
+    Real large_radius = infinity<Real>;
+    Box<Real> bounds{Vec3<Real>(Real(1)), Vec3<Real>(Real(-1))}; ///< padded; empty when nothing is bounded
+
+    HD uint32_t sphere_count() const { return uint32_t(spheres.size()); }
+    HD uint32_t round_count() const { return uint32_t(spheres.size() + ellipsoids.size()); }
+    HD bool is_sphere(uint32_t id) const { return id < sphere_count(); }
+    HD bool is_plane(uint32_t id) const { return id >= round_count(); }
+    HD const Ellipsoid<Real>& ellipsoid(uint32_t id) const { return ellipsoids[id - sphere_count()]; }
+    HD const Plane<Real>& plane(uint32_t id) const { return planes[id - round_count()]; }
+
+    HD uint32_t material(uint32_t id) const {
+        return is_sphere(id) ? sphere_materials[id] : is_plane(id) ? plane(id).material : ellipsoid(id).material;
+    }
+    /// The box of a sphere or an ellipsoid.
+    HD Box<Real> box(uint32_t id) const {
+        if (!is_sphere(id))
+            return bounding_box(ellipsoid(id));
+        const Vec3<Real> radius(spheres[id].radius);
+        return {spheres[id].center - radius, spheres[id].center + radius};
+    }
+    /// The radius of a sphere; of an ellipsoid, half of its box's longest side.
+    HD Real radius(uint32_t id) const {
+        if (is_sphere(id))
+            return spheres[id].radius;
+        const Box<Real> box = bounding_box(ellipsoid(id));
+        return Real(0.5) * max_component(box.upper - box.lower);
+    }
+};
+
+template <class Real> struct SurfacesView {
+    std::span<const Material> materials;
+    std::span<const Layer> layers;
+    std::span<const Pigment> pigments;
+    std::span<const Finish> finishes;
+    std::span<const Interior> interiors;
+    std::span<const Affine<Real>> transforms;
+    bool legacy_transparency = false;
+};
+
+template <class Real> struct SceneView {
+    GeometryView<Real> geometry;
+    GridView<Real> grid; ///< without cells: every bounded primitive is tested
+    SurfacesView<Real> surfaces;
+    std::span<const Light<Real>> lights;
+    Camera<Real> camera;
+    HitLimits<Real> limits;
+    glm::vec3 background{0.0f};
+    glm::vec3 ambient_light{1.0f};
+    float adc_bailout = 1.0f / 255.0f;
+    uint32_t max_trace_level = 5;
+    bool has_shadow_filters = false; ///< some material lets light through: shadows are products of colours
+    bool has_fading = false;         ///< some interior attenuates
+};
+
+} // namespace proxima

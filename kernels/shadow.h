@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface and a light in, the part of the light that arrives out.
+#pragma once
+#include "kernels/interiors.h"
+#include "kernels/pigment.h"
+
+namespace proxima {
+
+/// What a material lets through at a point of its surface.
+template <class Real>
+HD Vec3<Real> material_transmission(const SceneView<Real>& scene, const Material& material, const Vec3<Real>& point) {
+    Vec3<Real> through(Real(1));
+    for (uint32_t i = material.layer_count; i-- > 0;) {
+        const Layer& layer = scene.surfaces.layers[material.first_layer + i];
+        through *= layer_color(scene.surfaces, scene.surfaces.pigments[layer.pigment], point).transmission;
+    }
+    return through;
+}
+
+/// The light's tint after everything between the surface and `distance` along `to_light`: 0 behind an opaque primitive.
+/// `interiors` are those of the ray that met the surface; only their overflow is written.
+template <class Real, bool filters>
+HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Real>& surface, const Vec3<Real>& to_light,
+                             Real distance, InteriorList& interiors) {
+    const Real margin = scene.limits.shadow_margin;
+    const SourcedRay<Real> ray = leave(scene.geometry, surface, to_light, surface.from_inside);
+    const BasedRay<Real> based = rebase(ray, scene.geometry.bounds);
+    if constexpr (!filters) {
+        return Vec3<Real>(Real(find_any(scene, based, margin, distance - margin) ? 0 : 1));
+    } else {
+        Vec3<Real> light(Real(1));
+        InteriorList inside;
+        if (scene.has_fading)
+            inside.copy_from(interiors);
+        Hit<Real> passed;
+        for (;;) {
+            const Hit<Real> hit = find_nearest(scene, based, passed, margin, distance - margin, true);
+            if (hit.primitive == no_primitive)
+                return light;
+            const Surface<Real> blocker = surface_at(scene.geometry, based, hit);
+            const Material& material = scene.surfaces.materials[blocker.material];
+            if (!(material.flags & material_transparent))
+                return Vec3<Real>(Real(0));
+            light *= material_transmission(scene, material, blocker.point);
+            if (scene.has_fading) {
+                light *= attenuation(scene, inside, distance_passed(based, passed, hit));
+                inside.toggle(blocker.primitive);
+                interiors.overflow |= inside.overflow;
+            }
+            if (max_component(light) == 0)
+                return light;
+            passed = hit;
+        }
+    }
+}
+
+} // namespace proxima

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// The heart of a frame: a pixel in, its light out. Paths are followed in a loop, never by recursion: of several ways
+// on, one is taken and the others wait in a stack that the frame sizes by the scene (pending.h).
+#pragma once
+#include "kernels/film.h"
+#include "kernels/layers.h"
+#include "kernels/pending.h"
+#include "kernels/shadow.h"
+
+namespace proxima {
+
+/// What a scene's materials can do; TracePixels is compiled for each.
+enum class Features : uint32_t {
+    opaque,  ///< no reflection, no transparency
+    mirrors, ///< opaque; at most one layer of a material reflects, and without an exponent
+    all,
+};
+
+/// Follows the paths of one thread. `sum` is the light found so far.
+template <class Real, Features features> struct Tracer {
+    static constexpr bool transparent = features == Features::all;
+
+    const SceneView<Real>& scene;
+    PendingView<Real> pending{};
+    InteriorList interiors{}; ///< of the current path
+    Vec3<Real> sum{Real(0)};
+
+    /// The light that comes along a ray.
+    HD Vec3<Real> light_along(const Ray<Real>& ray) {
+        PathState<Real> path;
+        path.ray.ray = ray;
+        sum = Vec3<Real>(Real(0));
+        if constexpr (transparent)
+            interiors = interiors_at(scene, ray.origin);
+        while (advance(path) || resume(path)) {
+        }
+        if (transparent && interiors.overflow)
+            atomic_add(&pending.overflows[0], 1);
+        return sum;
+    }
+
+    /// Goes to the next surface, adds its light, and turns the path into what goes on from there. False when it ends.
+    HD bool advance(PathState<Real>& path) {
+        if (path.level >= scene.max_trace_level || path.weight < Real(scene.adc_bailout))
+            return false;
+        const BasedRay<Real> based = rebase(path.ray, scene.geometry.bounds);
+        const HitLimits<Real>& limits = scene.limits;
+        const Hit<Real> hit = find_nearest(scene, based, path.passed, limits.nearest, limits.farthest, false);
+        if (hit.primitive == no_primitive) {
+            sum += path.throughput * Vec3<Real>(scene.background);
+            return false;
+        }
+        const Surface<Real> surface = surface_at(scene.geometry, based, hit);
+        const Vec3<Real> direction = path.ray.ray.direction;
+        Real ior = Real(1);
+        if constexpr (features != Features::opaque)
+            ior = far_over_near_ior(scene, interiors, surface.primitive);
+        const LayerStack<Real> layers{scene, surface, -glm::dot(direction, surface.normal), ior};
+        if (transparent && scene.has_fading)
+            path.throughput *= attenuation(scene, interiors, distance_passed(based, path.passed, hit));
+        sum += path.throughput * layers.glow();
+        for (const Light<Real>& light : scene.lights)
+            sum += path.throughput * light_from(light, surface, layers, direction);
+        if constexpr (features == Features::opaque)
+            return false;
+        else
+            return go_on(path, surface, layers, hit);
+    }
+
+    /// What the surface sends back of one light.
+    HD Vec3<Real> light_from(const Light<Real>& light, const Surface<Real>& surface, const LayerStack<Real>& layers,
+                             const Vec3<Real>& eye_direction) {
+        const Vec3<Real> way = light.position - surface.point;
+        const Real distance = glm::length(way);
+        const LightGeometry<Real> geometry{surface.normal, way / distance, eye_direction};
+        if (!(glm::dot(geometry.normal, geometry.to_light) >= Real(1e-10)))
+            return Vec3<Real>(Real(0));
+        Vec3<Real> arriving = Vec3<Real>(light.color) * light_fade(light, distance);
+        if (!light.shadowless)
+            arriving *= light_arriving<Real, transparent>(scene, surface, geometry.to_light, distance, interiors);
+        if (arriving == Vec3<Real>(Real(0)))
+            return arriving;
+        return layers.reflected(geometry, arriving, !light.shadowless);
+    }
+
+    /// The transmitted ray waits longest, so that at most one set of a surface's rays waits for each level of a path.
+    HD bool go_on(PathState<Real>& path, const Surface<Real>& surface, const LayerStack<Real>& layers,
+                  const Hit<Real>& hit) {
+        const bool reflects = scene.surfaces.materials[surface.material].flags & material_reflective;
+        if constexpr (transparent) {
+            const Vec3<Real> transmission = layers.transmission();
+            if (magnitude(grey(transmission)) > Real(scene.adc_bailout)) {
+                PathState<Real> through = path;
+                InteriorList behind;
+                behind.copy_from(interiors);
+                if (!transmit(through, behind, transmission, surface, hit)) {
+                    path = through; // all is reflected; the finish's own reflection is left out
+                    return true;
+                }
+                interiors.overflow |= behind.overflow;
+                if (!reflects) {
+                    path = through;
+                    interiors.copy_from(behind);
+                    return true;
+                }
+                pending.push(through, behind);
+            }
+        }
+        return reflects && reflect(path, surface, layers);
+    }
+
+    /// Leads a path through a surface, or back where Snell's law has no solution (then false).
+    HD bool transmit(PathState<Real>& path, InteriorList& behind, const Vec3<Real>& transmission,
+                     const Surface<Real>& surface, const Hit<Real>& hit) const {
+        const Vec3<Real> direction = path.ray.ray.direction;
+        const Real ratio = crossing_ior_ratio(scene, interiors, surface.primitive);
+        path.weight *= larger(magnitude(transmission.x), larger(magnitude(transmission.y), magnitude(transmission.z)));
+        behind.toggle(surface.primitive);
+        if (magnitude(ratio - Real(1)) < Real(1e-10)) {
+            path.throughput *= transmission;
+            path.passed = hit; // the same ray, so that surfaces on top of each other are passed once each
+            return true;
+        }
+        Vec3<Real> bent = mirrored(direction, surface.normal);
+        const bool bends = refracted(direction, surface.normal, ratio, bent);
+        path.ray = leave(scene.geometry, surface, bent, surface.from_inside != bends);
+        path.passed = {};
+        ++path.level;
+        if (bends)
+            path.throughput *= transmission;
+        return bends;
+    }
+
+    /// Leads a path along the mirrored ray. Of several layers that reflect, all but one leave a path pending.
+    HD bool reflect(PathState<Real>& path, const Surface<Real>& surface, const LayerStack<Real>& layers) {
+        const Vec3<Real> direction = mirrored(path.ray.ray.direction, surface.normal);
+        const Vec3<Real> throughput = path.throughput;
+        const Real weight = path.weight;
+        path.ray = leave(scene.geometry, surface, direction, surface.from_inside);
+        path.passed = {};
+        ++path.level;
+        bool goes_on = false;
+        layers.for_each([&](const Finish& finish, const LayerColor<Real>& color, const Vec3<Real>& above) {
+            const Reflection<Real> reflection = layers.reflection(finish, color);
+            if (reflection.color == Vec3<Real>(Real(0)))
+                return;
+            if constexpr (transparent)
+                if (goes_on)
+                    pending.push(path, interiors);
+            path.throughput = throughput * reflection.color;
+            path.weight = weight * smaller(magnitude(grey(above)), Real(1)) * reflection.weight;
+            path.exponent = Real(1) / Real(finish.reflection_exponent);
+            goes_on = true;
+        });
+        if constexpr (transparent)
+            if (goes_on)
+                begin(path);
+        return goes_on;
+    }
+
+    /// A path whose light counts with an exponent gets a sum of its own; a mark leads back to the sum before.
+    HD void begin(PathState<Real>& path) {
+        if (path.exponent == 1)
+            return;
+        pending.push_mark(sum, path.throughput, path.exponent);
+        sum = Vec3<Real>(Real(0));
+        path.throughput = Vec3<Real>(Real(1));
+        path.exponent = Real(1);
+    }
+
+    /// Takes up a path that waits; false when there is none left.
+    HD bool resume(PathState<Real>& path) {
+        if constexpr (transparent) {
+            while (pending.depth > 0) {
+                path = pending.pop(interiors);
+                if (path.level != PendingView<Real>::mark_level) {
+                    begin(path);
+                    return true;
+                }
+                for (int c = 0; c < 3; ++c)
+                    sum[c] =
+                        path.ray.ray.origin[c] + path.throughput[c] * power(larger(sum[c], Real(0)), path.exponent);
+            }
+        }
+        return false;
+    }
+};
+
+/// One call per pixel of a wave: traces its samples and stores their sum.
+template <class Real, Features features> struct TracePixels {
+    SceneView<Real> scene;
+    FilmView film;
+    PendingView<Real> pending; ///< for a wave's number of threads
+    uint64_t first = 0;        ///< of the wave, in tiled order
+
+    HD void operator()(uint32_t index) const {
+        const PixelPosition pixel = tiled_pixel(first + index, film.width);
+        if (pixel.x >= film.width || pixel.y >= film.height)
+            return;
+        Tracer<Real, features> tracer{scene, pending};
+        tracer.pending.thread = index;
+        Vec3<Real> total(Real(0));
+        for (uint32_t sample = 0; sample < film.samples; ++sample)
+            total += tracer.light_along(pixel_ray(scene.camera, film, pixel, sample));
+        film.pixels[uint64_t(pixel.y) * film.width + pixel.x] = glm::vec3(total);
+    }
+};
+
+} // namespace proxima

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// The CPU backend: a device's verbs (for_each, exclusive_scan, reduce) and its buffers, by oneTBB on the host's cores.
+#pragma once
+#include "renderer/device_error.h"
+#include "renderer/memory_meter.h"
+
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <span>
+#include <string>
+#include <sys/mman.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
+#include <unistd.h>
+#include <vector>
+
+namespace proxima {
+
+class CpuBackend {
+public:
+    /// Rays in flight that have stacks: enough to keep the cores busy.
+    static constexpr uint64_t stack_memory = 16ull << 20;
+
+    /// `threads` 0 is one for each core that the process may use.
+    explicit CpuBackend(unsigned threads = 0) : arena_(threads ? int(threads) : tbb::task_arena::automatic) {}
+
+    template <class T> class Buffer;
+
+    std::string name() const { return "cpu"; }
+    MemoryMeter& memory() { return memory_; }
+    uint64_t available_memory() const { return uint64_t(sysconf(_SC_AVPHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE)); }
+    void synchronize() {}
+
+    /// Calls kernel(i) for every i below `count`, in no order.
+    template <class Kernel> void for_each(uint32_t count, const Kernel& kernel) {
+        arena_.execute([&] {
+            tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, 64), [&](const auto& range) {
+                const Kernel local = kernel; // the compiler sees that nothing else writes to it
+                for (uint32_t i = range.begin(); i != range.end(); ++i)
+                    local(i);
+            });
+        });
+    }
+
+    /// The combination of kernel(i) for every i below `count`; T is a struct whose default is neutral and whose
+    /// static combine(a, b) is associative.
+    template <class T, class Kernel> T reduce(uint32_t count, const Kernel& kernel) {
+        return arena_.execute([&] {
+            return tbb::parallel_deterministic_reduce(
+                tbb::blocked_range<uint32_t>(0, count, 4096), T{},
+                [&](const auto& range, T sum) {
+                    for (uint32_t i = range.begin(); i != range.end(); ++i)
+                        sum = T::combine(sum, kernel(i));
+                    return sum;
+                },
+                [](const T& a, const T& b) { return T::combine(a, b); });
+        });
+    }
+
+    /// Replaces each number by the sum of those before it.
+    void exclusive_scan(std::span<uint32_t> numbers);
+
+private:
+    tbb::task_arena arena_;
+    MemoryMeter memory_;
+};
+
+/// Device memory that keeps its capacity when it shrinks. Its contents are lost when it grows.
+template <class T> class CpuBackend::Buffer {
+public:
+    explicit Buffer(CpuBackend& backend) : backend_(&backend) {}
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    ~Buffer() { release(); }
+
+    void resize(size_t count) {
+        if (count > capacity_) {
+            release();
+            data_ = static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t(alignment), std::nothrow));
+            if (!data_)
+                throw DeviceError(DeviceError::Kind::out_of_memory,
+                                  "cpu: out of memory (" + std::to_string(count * sizeof(T) >> 20) + " MiB)");
+            madvise(data_, count * sizeof(T), MADV_HUGEPAGE); // lists are read at random; a refusal costs only time
+            capacity_ = count;
+            backend_->memory().add(capacity_ * sizeof(T));
+        }
+        size_ = count;
+    }
+    /// Grows to `count` and calls convert(i) for each element.
+    template <class Convert> void upload(size_t count, const Convert& convert) {
+        resize(count);
+        T* data = data_;
+        backend_->for_each(uint32_t(count), [&, data](uint32_t i) { new (data + i) T(convert(i)); });
+    }
+    void download(T* out) const { std::memcpy(static_cast<void*>(out), data_, size_ * sizeof(T)); }
+    void clear_bytes() { std::memset(static_cast<void*>(data_), 0, size_ * sizeof(T)); }
+    T read(size_t index) const { return data_[index]; }
+
+    std::span<T> view() { return {data_, size_}; }
+    size_t size() const { return size_; }
+    uint64_t bytes() const { return capacity_ * sizeof(T); }
+
+private:
+    static constexpr size_t alignment = size_t(2) << 20; // a huge page
+    void release() {
+        ::operator delete(data_, std::align_val_t(alignment));
+        backend_->memory().remove(capacity_ * sizeof(T));
+        data_ = nullptr;
+        capacity_ = 0;
+    }
+
+    CpuBackend* backend_;
+    T* data_ = nullptr;
+    size_t size_ = 0;
+    size_t capacity_ = 0;
+};
+
+inline void CpuBackend::exclusive_scan(std::span<uint32_t> numbers) {
+    const size_t block = 1 << 16;
+    const uint32_t blocks = uint32_t((numbers.size() + block - 1) / block);
+    std::vector<uint32_t> sums(blocks);
+    const auto part = [&](uint32_t b) {
+        return numbers.subspan(b * block, std::min(block, numbers.size() - b * block));
+    };
+    const auto for_each_block = [&](const auto& body) { arena_.execute([&] { tbb::parallel_for(0u, blocks, body); }); };
+    for_each_block([&](uint32_t b) {
+        uint32_t sum = 0;
+        for (const uint32_t n : part(b))
+            sum += n;
+        sums[b] = sum;
+    });
+    uint32_t before = 0;
+    for (uint32_t& sum : sums)
+        before += std::exchange(sum, before);
+    for_each_block([&](uint32_t b) {
+        uint32_t sum = sums[b];
+        for (uint32_t& n : part(b))
+            sum += std::exchange(n, sum);
+    });
+}
+
+} // namespace proxima

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene on a device: every array of it, listed once. A SceneProgram comes in; views for the kernels go out.
+#pragma once
+#include "kernels/grid_build.h"
+#include "kernels/scene_view.h"
+#include "kernels/trace.h"
+#include "parser/scene_program.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace proxima {
+
+template <class Real> Vec3<Real> convert(const Vec3<double>& v) {
+    return Vec3<Real>(v);
+}
+template <class Real> Sphere<Real> convert(const Sphere<double>& s) {
+    // A negative radius renders nothing, as in POV-Ray.
+    return {Vec3<Real>(s.center), s.radius > 0 ? Real(s.radius) : Real(0)};
+}
+template <class Real> Affine<Real> convert(const Affine<double>& a) {
+    return {Mat3<Real>(a.linear), Vec3<Real>(a.offset)};
+}
+template <class Real> Ellipsoid<Real> convert(const Ellipsoid<double>& e) {
+    return {convert<Real>(e.object_from_world), convert<Real>(e.world_from_object), e.material};
+}
+template <class Real> Plane<Real> convert(const Plane<double>& p) {
+    return {Vec3<Real>(p.normal), Real(p.distance), p.material};
+}
+template <class Real> Light<Real> convert(const Light<double>& l) {
+    return {Vec3<Real>(l.position), l.color, l.fade_distance, l.fade_power, l.shadowless};
+}
+template <class Real> Camera<Real> convert(const Camera<double>& c) {
+    return {c.kind, Vec3<Real>(c.location), Vec3<Real>(c.direction), Vec3<Real>(c.right), Vec3<Real>(c.up)};
+}
+
+/// What decides which kernels a scene needs and how much they must remember.
+struct SceneNeeds {
+    Features features = Features::opaque;
+    uint32_t stack_entries = 0;     ///< paths that may wait at once
+    uint32_t interior_capacity = 0; ///< primitives that a ray may be inside
+};
+
+SceneNeeds needs_of(const SceneProgram& scene);
+
+template <class Backend, class Real> class DeviceScene {
+public:
+    explicit DeviceScene(Backend& backend)
+        : spheres_(backend), sphere_materials_(backend), ellipsoids_(backend), planes_(backend), materials_(backend),
+          layers_(backend), pigments_(backend), finishes_(backend), interiors_(backend), transforms_(backend),
+          lights_(backend) {}
+
+    void upload(const SceneProgram& scene) {
+        upload_converted(spheres_, scene.spheres);
+        upload_copy(sphere_materials_, scene.sphere_materials);
+        upload_converted(ellipsoids_, scene.ellipsoids);
+        upload_converted(planes_, scene.planes);
+        upload_copy(materials_, scene.materials);
+        upload_copy(layers_, scene.layers);
+        upload_copy(pigments_, scene.pigments);
+        upload_copy(finishes_, scene.finishes);
+        upload_copy(interiors_, scene.interiors);
+        upload_converted(transforms_, scene.transforms);
+        upload_converted(lights_, scene.lights);
+        needs_ = needs_of(scene);
+
+        view_ = {};
+        view_.geometry.spheres = spheres_.view();
+        view_.geometry.sphere_materials = sphere_materials_.view();
+        view_.geometry.ellipsoids = ellipsoids_.view();
+        view_.geometry.planes = planes_.view();
+        view_.surfaces = {materials_.view(), layers_.view(),     pigments_.view(),         finishes_.view(),
+                          interiors_.view(), transforms_.view(), scene.legacy_transparency};
+        view_.lights = lights_.view();
+        view_.camera = convert<Real>(scene.camera);
+        view_.background = scene.background;
+        view_.ambient_light = scene.ambient_light;
+        view_.adc_bailout = scene.adc_bailout;
+        view_.max_trace_level = scene.max_trace_level;
+        view_.has_fading = std::any_of(scene.interiors.begin(), scene.interiors.end(),
+                                       [](const Interior& i) { return i.fade_power > 0 && i.fade_distance != 0; });
+        curve_ = scene.working_curve == WorkingCurve::linear  ? FilmCurve::linear
+                 : scene.working_curve == WorkingCurve::power ? FilmCurve::power
+                                                              : FilmCurve::srgb;
+        gamma_ = scene.working_gamma;
+    }
+
+    /// Without grid, limits and large primitives: the frame adds them.
+    const SceneView<Real>& view() const { return view_; }
+    const SceneNeeds& needs() const { return needs_; }
+    FilmCurve curve() const { return curve_; }
+    float gamma() const { return gamma_; }
+
+private:
+    template <class T> using Buffer = typename Backend::template Buffer<T>;
+
+    template <class T> static void upload_copy(Buffer<T>& buffer, const std::vector<T>& values) {
+        buffer.upload(values.size(), [&](size_t i) { return values[i]; });
+    }
+    template <class T, class S> static void upload_converted(Buffer<T>& buffer, const std::vector<S>& values) {
+        buffer.upload(values.size(), [&](size_t i) { return convert<Real>(values[i]); });
+    }
+
+    Buffer<Sphere<Real>> spheres_;
+    Buffer<uint32_t> sphere_materials_;
+    Buffer<Ellipsoid<Real>> ellipsoids_;
+    Buffer<Plane<Real>> planes_;
+    Buffer<Material> materials_;
+    Buffer<Layer> layers_;
+    Buffer<Pigment> pigments_;
+    Buffer<Finish> finishes_;
+    Buffer<Interior> interiors_;
+    Buffer<Affine<Real>> transforms_;
+    Buffer<Light<Real>> lights_;
+    SceneView<Real> view_;
+    SceneNeeds needs_;
+    FilmCurve curve_ = FilmCurve::linear;
+    float gamma_ = 1.0f;
+};
+
+/// Looks at the materials, and counts transparent primitives only as far as a list of interiors can hold.
+inline SceneNeeds needs_of(const SceneProgram& scene) {
+    SceneNeeds needs;
+    uint32_t most_rays = 0;
+    bool transparent = false, branches = false, has_exponent = false, reflective = false;
+    for (const Material& material : scene.materials) {
+        uint32_t rays = (material.flags & material_transparent) ? 1 : 0;
+        transparent |= rays != 0;
+        if (material.flags & material_reflective) {
+            uint32_t mirrors = 0;
+            for (uint32_t i = 0; i < material.layer_count; ++i) {
+                const Finish& finish = scene.finishes[scene.layers[material.first_layer + i].finish];
+                const bool reflects =
+                    finish.reflection_max != glm::vec3(0.0f) || finish.reflection_min != glm::vec3(0.0f);
+                mirrors += reflects;
+                has_exponent |= reflects && finish.reflection_exponent != 1;
+            }
+            reflective = true;
+            branches |= mirrors > 1;
+            rays += mirrors;
+        }
+        most_rays = std::max(most_rays, rays);
+    }
+    if (!transparent && !branches && !has_exponent) {
+        needs.features = reflective ? Features::mirrors : Features::opaque;
+        return needs;
+    }
+    needs.features = Features::all;
+    const uint32_t waiting = most_rays - (has_exponent ? 0 : 1); // one goes on; a mark takes a place as well
+    needs.stack_entries = std::max(1u, waiting) * scene.max_trace_level;
+    const auto count = [&](uint32_t material) {
+        const Material& m = scene.materials[material];
+        const bool counts = (m.flags & material_transparent) || scene.interiors[m.interior].ior != 1;
+        needs.interior_capacity += counts && needs.interior_capacity < InteriorList::capacity;
+    };
+    for (const uint32_t material : scene.sphere_materials)
+        count(material);
+    for (const Ellipsoid<double>& ellipsoid : scene.ellipsoids)
+        count(ellipsoid.material);
+    for (const Plane<double>& plane : scene.planes)
+        count(plane.material);
+    return needs;
+}
+
+} // namespace proxima

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// A frame, written once for every backend: bounds, grid, trace, resolve, read back. A scene and settings come in; the
+// picture and what it took go out.
+#pragma once
+#include "renderer/device_scene.h"
+#include "renderer/frame_renderer.h"
+#include "renderer/grid_builder.h"
+
+#include <chrono>
+
+namespace proxima {
+
+template <class Backend, class Real> class FramePipeline {
+public:
+    explicit FramePipeline(Backend& backend)
+        : backend_(backend), scene_(backend), grid_(backend), film_(backend), pending_states_(backend),
+          pending_interiors_(backend), overflows_(backend) {}
+
+    void set_scene(const SceneProgram& program) { scene_.upload(program); }
+
+    FrameStatistics render(const FrameSettings& settings, Image& image) {
+        FrameStatistics statistics;
+        SceneView<Real> scene = scene_.view();
+        if (settings.tolerances == Tolerances::povray)
+            scene.limits = HitLimits<Real>::povray();
+
+        const auto started = Clock::now();
+        const FilmView film = make_film(settings); // before the grid, which makes do with what is left
+        grid_.find_bounds(scene.geometry);
+        if (uses_grid(settings, scene))
+            grid_.build(scene, settings.grid, statistics);
+        backend_.synchronize();
+
+        const auto built = Clock::now();
+        trace(scene, film);
+        backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
+        check_overflow();
+
+        const auto traced = Clock::now();
+        read_back(film, image);
+        statistics.method = scene.grid.in_use() ? "grid" : "brute";
+        statistics.build_ms = milliseconds(started, built);
+        statistics.trace_ms = milliseconds(built, traced);
+        statistics.readback_ms = milliseconds(traced, Clock::now());
+        statistics.peak_device_bytes = backend_.memory().peak();
+        return statistics;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    template <class T> using Buffer = typename Backend::template Buffer<T>;
+
+    static double milliseconds(Clock::time_point from, Clock::time_point to) {
+        return std::chrono::duration<double, std::milli>(to - from).count();
+    }
+
+    FilmView make_film(const FrameSettings& settings) {
+        film_.resize(size_t(settings.width) * settings.height);
+        return {film_.view(), settings.width, settings.height, settings.samples};
+    }
+
+    /// A handful of primitives is tested faster than a grid is walked.
+    static bool uses_grid(const FrameSettings& settings, const SceneView<Real>& scene) {
+        constexpr uint32_t few = 8;
+        return settings.accelerator == Accelerator::grid ||
+               (settings.accelerator == Accelerator::automatic && scene.geometry.round_count() > few);
+    }
+
+    void trace(const SceneView<Real>& scene, const FilmView& film) {
+        switch (scene_.needs().features) {
+        case Features::opaque:
+            return trace_waves<Features::opaque>(scene, film);
+        case Features::mirrors:
+            return trace_waves<Features::mirrors>(scene, film);
+        case Features::all:
+            return trace_waves<Features::all>(scene, film);
+        }
+    }
+
+    /// Traces as many pixels at a time as there is memory for stacks.
+    template <Features features> void trace_waves(const SceneView<Real>& scene, const FilmView& film) {
+        const uint64_t pixels = tiled_pixel_count(film.width, film.height);
+        const uint32_t wave = wave_size(pixels);
+        PendingView<Real> pending;
+        if constexpr (features == Features::all)
+            pending = make_pending(wave);
+        for (uint64_t first = 0; first < pixels; first += wave)
+            backend_.for_each(uint32_t(std::min<uint64_t>(wave, pixels - first)),
+                              TracePixels<Real, features>{scene, film, pending, first});
+    }
+
+    uint32_t wave_size(uint64_t pixels) const {
+        const SceneNeeds& needs = scene_.needs();
+        constexpr uint64_t most = 1u << 30;
+        const uint64_t entry = sizeof(PathState<Real>) + sizeof(uint32_t) * needs.interior_capacity;
+        const uint64_t stack = entry * needs.stack_entries;
+        const uint64_t fitting = stack ? std::max<uint64_t>(Backend::stack_memory / stack / 1024 * 1024, 1024) : most;
+        return uint32_t(std::min({pixels, fitting, most}));
+    }
+
+    PendingView<Real> make_pending(uint32_t threads) {
+        const SceneNeeds& needs = scene_.needs();
+        pending_states_.resize(size_t(threads) * needs.stack_entries);
+        pending_interiors_.resize(size_t(threads) * needs.stack_entries * needs.interior_capacity);
+        overflows_.resize(1);
+        overflows_.clear_bytes();
+        return {.states = pending_states_.view(),
+                .interiors = pending_interiors_.view(),
+                .overflows = overflows_.view(),
+                .interior_capacity = needs.interior_capacity,
+                .threads = threads};
+    }
+
+    void check_overflow() {
+        backend_.synchronize();
+        if (scene_.needs().features == Features::all && overflows_.read(0) > 0)
+            throw DeviceError(DeviceError::Kind::scene, "a ray is inside more than " +
+                                                            std::to_string(InteriorList::capacity) +
+                                                            " transparent objects at once, which is the limit");
+    }
+
+    void read_back(const FilmView& film, Image& image) {
+        static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+        image.width = film.width;
+        image.height = film.height;
+        image.rgb.resize(film.pixels.size() * 3);
+        film_.download(reinterpret_cast<glm::vec3*>(image.rgb.data()));
+    }
+
+    Backend& backend_;
+    DeviceScene<Backend, Real> scene_;
+    GridBuilder<Backend, Real> grid_;
+    Buffer<glm::vec3> film_;
+    Buffer<PathState<Real>> pending_states_;
+    Buffer<uint32_t> pending_interiors_;
+    Buffer<uint32_t> overflows_;
+};
+
+} // namespace proxima

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds a frame's grid on a device: which primitives are too large for it, the bounds of the others, a resolution that
+// fits into memory, and the lists.
+#pragma once
+#include "kernels/grid_build.h"
+#include "renderer/device_error.h"
+#include "renderer/frame_renderer.h"
+#include "renderer/grid_resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace proxima {
+
+template <class Backend, class Real> class GridBuilder {
+public:
+    explicit GridBuilder(Backend& backend)
+        : backend_(backend), starts_(backend), references_(backend), large_(backend), large_count_(backend) {}
+
+    /// Sets apart what is much larger than the rest, so that a ground sphere does not blow up the grid: what exceeds 32
+    /// times the geometric mean of all radii, but never more than `most_large`, since every ray tests them. The rule
+    /// looks at nothing but the scene: whatever the grid's resolution, the bounds, and so all distances, are the same.
+    void find_bounds(GeometryView<Real>& geometry) {
+        bounded_ = 0;
+        const uint32_t count = geometry.round_count();
+        const SizeTotal size = backend_.template reduce<SizeTotal>(count, MeasureSize<Real>{geometry});
+        if (size.count == 0)
+            return;
+        int exponent = int(std::lround(double(size.exponents) / double(size.count))) + 5;
+        BoundsTotal<Real> total;
+        do {
+            geometry.large_radius = std::ldexp(Real(1), exponent++);
+            total = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
+        } while (total.large > most_large);
+        if (total.large > 0)
+            list_large(geometry, total.large);
+        if (total.bounded > 0)
+            geometry.bounds = padded(total.box);
+        bounded_ = total.bounded;
+    }
+
+    /// Makes scene.grid, with `size` voxels (0: chosen) or as many as there is memory for.
+    void build(SceneView<Real>& scene, const std::array<uint32_t, 3>& size, FrameStatistics& statistics) {
+        if (bounded_ == 0)
+            return;
+        const Box<Real>& bounds = scene.geometry.bounds;
+        const Vec3<double> extent(bounds.upper - bounds.lower);
+        const uint64_t budget = (backend_.available_memory() + starts_.bytes() + references_.bytes()) / 2;
+        GridRule rule;
+        rule.most_voxels = std::min(rule.most_voxels, budget / 2 / sizeof(uint32_t));
+        for (;; rule.voxels_per_primitive /= 2) {
+            std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);
+            for (int i = 0; i < 3; ++i)
+                if (size[i] > 0)
+                    voxels[i] = std::min(size[i], uint32_t(rule.longest));
+            limit(voxels, rule);
+            scene.grid = make_grid(bounds, Vec3<int32_t>(voxels[0], voxels[1], voxels[2]));
+            const ReferenceTotal total = count_references(scene);
+            const uint64_t most = std::min<uint64_t>(most_references, budget / sizeof(uint32_t));
+            if (total.references <= most || scene.grid.cell_count() == 1) {
+                fill(scene, total);
+                statistics.grid = voxels;
+                statistics.references = total.references;
+                statistics.occupied = total.occupied;
+                return;
+            }
+            rule.most_voxels = std::max<uint64_t>(scene.grid.cell_count() / 4, 1); // also against a size asked for
+        }
+    }
+
+private:
+    static constexpr uint32_t most_large = 64;
+    static constexpr uint64_t most_references = 1ull << 31;
+    template <class T> using Buffer = typename Backend::template Buffer<T>;
+
+    void list_large(GeometryView<Real>& geometry, uint32_t count) {
+        large_.resize(count);
+        large_count_.resize(1);
+        large_count_.clear_bytes();
+        backend_.for_each(geometry.round_count(), ListLarge<Real>{geometry, large_.view(), large_count_.view()});
+        geometry.large = large_.view();
+    }
+
+    /// Wide enough for all rounding of boxes, entry points and walks; a flat scene gets some thickness.
+    static Box<Real> padded(Box<Real> box) {
+        const Real epsilon = std::numeric_limits<Real>::epsilon();
+        Real reach = 0;
+        for (int i = 0; i < 3; ++i)
+            reach = larger(reach, larger(magnitude(box.lower[i]), magnitude(box.upper[i])));
+        const Real pad = max_component(box.upper - box.lower) * Real(64) * epsilon + reach * Real(16) * epsilon;
+        box.lower -= Vec3<Real>(pad);
+        box.upper += Vec3<Real>(pad);
+        return box;
+    }
+
+    static void limit(std::array<uint32_t, 3>& voxels, const GridRule& rule) {
+        while (uint64_t(voxels[0]) * voxels[1] * voxels[2] > rule.most_voxels)
+            for (uint32_t& n : voxels)
+                n = std::max(1u, uint32_t(n * 0.8));
+    }
+
+    ReferenceTotal count_references(const SceneView<Real>& scene_without_lists) {
+        SceneView<Real> scene = scene_without_lists;
+        const uint32_t cells = scene.grid.cell_count();
+        starts_.resize(size_t(cells) + 2); // one in front and one behind: see CountReferences
+        starts_.clear_bytes();
+        scene.grid.starts = starts_.view();
+        backend_.for_each(scene.geometry.round_count(), CountReferences<Real>{scene.grid, scene.geometry});
+        return backend_.template reduce<ReferenceTotal>(cells, MeasureReferences{starts_.view().subspan(1)});
+    }
+
+    void fill(SceneView<Real>& scene, const ReferenceTotal& total) {
+        references_.resize(total.references);
+        backend_.exclusive_scan(starts_.view().subspan(1));
+        scene.grid.starts = starts_.view();
+        scene.grid.references = references_.view();
+        backend_.for_each(scene.geometry.round_count(), FillReferences<Real>{scene.grid, scene.geometry});
+    }
+
+    Backend& backend_;
+    Buffer<uint32_t> starts_;
+    Buffer<uint32_t> references_;
+    Buffer<uint32_t> large_;
+    Buffer<uint32_t> large_count_;
+    uint32_t bounded_ = 0;
+};
+
+} // namespace proxima
