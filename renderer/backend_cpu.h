@@ -32,6 +32,7 @@ public:
     std::string name() const { return "cpu"; }
     MemoryMeter& memory() { return memory_; }
     uint64_t available_memory() const { return uint64_t(sysconf(_SC_AVPHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE)); }
+    void activate() {}
     void synchronize() {}
 
     /// Calls kernel(i) for every i below `count`, in no order.

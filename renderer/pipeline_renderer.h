@@ -15,6 +15,7 @@ public:
     std::string name() const override { return backend_.name(); }
 
     void set_scene(const SceneProgram& scene, Precision precision) override {
+        backend_.activate();
         if (precision == Precision::float64) {
             single_.reset();
             take(double_, scene);
@@ -27,6 +28,7 @@ public:
     FrameStatistics render(const FrameSettings& settings, Image& image) override {
         if (settings.precision == Precision::float64 ? !double_ : !single_)
             throw std::logic_error("render: the scene was not set in this precision");
+        backend_.activate();
         return double_ ? double_->render(settings, image) : single_->render(settings, image);
     }
 

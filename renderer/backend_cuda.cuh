@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// The CUDA backend: a device's verbs (for_each, exclusive_scan, reduce) and its buffers, on one stream of one GPU, by
+// CUDA and CUB. The only place that starts kernels.
+#pragma once
+#include "renderer/cuda_check.h"
+#include "renderer/memory_meter.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cub/device/device_reduce.cuh>
+#include <cub/device/device_scan.cuh>
+#include <memory>
+#include <span>
+#include <string>
+#include <thrust/iterator/counting_iterator.h>
+
+namespace proxima {
+
+template <class Kernel> __global__ void run_kernel(uint32_t count, const __grid_constant__ Kernel kernel) {
+    const uint32_t index = blockIdx.x * blockDim.x + threadIdx.x;
+    if (index < count)
+        kernel(index);
+}
+
+template <class T> struct Combine {
+    __host__ __device__ T operator()(const T& a, const T& b) const { return T::combine(a, b); }
+};
+
+class CudaBackend {
+public:
+    static constexpr uint64_t stack_memory = 1ull << 30;
+
+    explicit CudaBackend(int ordinal)
+        : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this) {}
+
+    template <class T> class Buffer;
+
+    std::string name() const { return "cuda:" + std::to_string(ordinal_); }
+    MemoryMeter& memory() { return memory_; }
+    /// Makes the device current in the calling thread.
+    void activate() { cuda_check(cudaSetDevice(ordinal_)); }
+    uint64_t available_memory() const {
+        size_t free = 0, total = 0;
+        cuda_check(cudaMemGetInfo(&free, &total));
+        return free;
+    }
+    void synchronize() { cuda_check(cudaStreamSynchronize(stream_.get())); }
+
+    /// Calls kernel(i) for every i below `count`, in no order.
+    template <class Kernel> void for_each(uint32_t count, const Kernel& kernel) {
+        constexpr uint32_t block = 128;
+        if (count == 0)
+            return;
+        run_kernel<<<uint32_t((uint64_t(count) + block - 1) / block), block, 0, stream_.get()>>>(count, kernel);
+        cuda_check(cudaGetLastError());
+#ifndef NDEBUG
+        synchronize(); // a fault is reported by the step that made it
+#endif
+    }
+
+    /// The combination of kernel(i) for every i below `count`; T is a struct whose default is neutral and whose
+    /// static combine(a, b) is associative.
+    template <class T, class Kernel> T reduce(uint32_t count, const Kernel& kernel);
+
+    /// Replaces each number by the sum of those before it.
+    void exclusive_scan(std::span<uint32_t> numbers);
+
+private:
+    static constexpr size_t staging_bytes = 4u << 20;
+
+    struct StreamDeleter {
+        using pointer = cudaStream_t;
+        void operator()(cudaStream_t stream) const { cudaStreamDestroy(stream); }
+    };
+    struct PinnedDeleter {
+        void operator()(std::byte* memory) const { cudaFreeHost(memory); }
+    };
+    using Stream = std::unique_ptr<CUstream_st, StreamDeleter>;
+    using Pinned = std::unique_ptr<std::byte[], PinnedDeleter>;
+
+    static Stream make_stream(int ordinal) {
+        cuda_check(cudaSetDevice(ordinal));
+        cudaStream_t stream;
+        cuda_check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+        return Stream(stream);
+    }
+    static Pinned make_pinned(size_t bytes) {
+        void* memory = nullptr;
+        cuda_check(cudaMallocHost(&memory, bytes));
+        return Pinned(static_cast<std::byte*>(memory));
+    }
+
+    int ordinal_;
+    MemoryMeter memory_;
+    Stream stream_;
+    Pinned staging_; ///< uploads are converted here; reductions arrive here
+    class ByteBuffer {
+    public:
+        explicit ByteBuffer(CudaBackend& backend) : backend_(&backend) {}
+        ByteBuffer(const ByteBuffer&) = delete;
+        ByteBuffer& operator=(const ByteBuffer&) = delete;
+        ~ByteBuffer() { release(); }
+        void reserve(size_t bytes) {
+            if (bytes <= capacity_)
+                return;
+            release();
+            cuda_check(cudaMalloc(&data_, bytes));
+            capacity_ = bytes;
+            backend_->memory_.add(bytes);
+        }
+        void* data() const { return data_; }
+        size_t capacity() const { return capacity_; }
+
+    private:
+        void release() {
+            cudaFree(data_);
+            backend_->memory_.remove(capacity_);
+            data_ = nullptr;
+            capacity_ = 0;
+        }
+        CudaBackend* backend_;
+        void* data_ = nullptr;
+        size_t capacity_ = 0;
+    };
+    ByteBuffer scratch_; ///< CUB's temporary storage, after a reduction's result
+};
+
+/// Device memory that keeps its capacity when it shrinks. Its contents are lost when it grows.
+template <class T> class CudaBackend::Buffer {
+public:
+    explicit Buffer(CudaBackend& backend) : backend_(&backend), bytes_(backend) {}
+
+    void resize(size_t count) {
+        bytes_.reserve(count * sizeof(T));
+        size_ = count;
+    }
+    /// Grows to `count` and copies convert(i) to each element, a piece at a time.
+    template <class Convert> void upload(size_t count, const Convert& convert) {
+        resize(count);
+        T* staging = reinterpret_cast<T*>(backend_->staging_.get());
+        const size_t piece = staging_bytes / sizeof(T);
+        for (size_t first = 0; first < count; first += piece) {
+            const size_t n = std::min(piece, count - first);
+            for (size_t i = 0; i < n; ++i)
+                new (staging + i) T(convert(first + i));
+            cuda_check(cudaMemcpyAsync(data() + first, staging, n * sizeof(T), cudaMemcpyHostToDevice, stream()));
+            backend_->synchronize();
+        }
+    }
+    void download(T* out) const {
+        cuda_check(cudaMemcpyAsync(out, data(), size_ * sizeof(T), cudaMemcpyDeviceToHost, stream()));
+        backend_->synchronize();
+    }
+    void clear_bytes() { cuda_check(cudaMemsetAsync(data(), 0, size_ * sizeof(T), stream())); }
+    T read(size_t index) const {
+        T value;
+        cuda_check(cudaMemcpyAsync(&value, data() + index, sizeof(T), cudaMemcpyDeviceToHost, stream()));
+        backend_->synchronize();
+        return value;
+    }
+
+    std::span<T> view() { return {data(), size_}; }
+    size_t size() const { return size_; }
+    uint64_t bytes() const { return bytes_.capacity(); }
+
+private:
+    T* data() const { return static_cast<T*>(bytes_.data()); }
+    cudaStream_t stream() const { return backend_->stream_.get(); }
+
+    CudaBackend* backend_;
+    ByteBuffer bytes_;
+    size_t size_ = 0;
+};
+
+template <class T, class Kernel> T CudaBackend::reduce(uint32_t count, const Kernel& kernel) {
+    if (count == 0)
+        return T{};
+    constexpr size_t result_bytes = 256; // keeps CUB's storage aligned
+    static_assert(sizeof(T) <= result_bytes);
+    size_t bytes = 0;
+    const auto run = [&](void* storage, T* result) {
+        cuda_check(cub::DeviceReduce::TransformReduce(storage, bytes, thrust::counting_iterator<uint32_t>(0), result,
+                                                      count, Combine<T>{}, kernel, T{}, stream_.get()));
+    };
+    run(nullptr, nullptr);
+    scratch_.reserve(result_bytes + bytes);
+    std::byte* storage = static_cast<std::byte*>(scratch_.data());
+    T* result = reinterpret_cast<T*>(storage);
+    run(storage + result_bytes, result);
+    cuda_check(cudaMemcpyAsync(staging_.get(), result, sizeof(T), cudaMemcpyDeviceToHost, stream_.get()));
+    synchronize();
+    return *reinterpret_cast<const T*>(staging_.get());
+}
+
+inline void CudaBackend::exclusive_scan(std::span<uint32_t> numbers) {
+    size_t bytes = 0;
+    const auto run = [&](void* storage) {
+        cuda_check(cub::DeviceScan::ExclusiveSum(storage, bytes, numbers.data(), numbers.data(), numbers.size(),
+                                                 stream_.get()));
+    };
+    run(nullptr);
+    scratch_.reserve(bytes);
+    run(scratch_.data());
+}
+
+} // namespace proxima
