@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the program does, one function a command. They print what was asked for and throw what stops them; the exit code
+// is main.cpp's.
+#pragma once
+#include "renderer/options.h"
+
+namespace proxima {
+
+/// Renders every requested frame to its file. Throws SceneRejected, UsageError, FileError, DeviceError, Interrupted.
+void render_command(const RenderOptions& options);
+
+/// Reads and evaluates the scene for every frame, prints its mistakes, and counts what is in it.
+/// Throws SceneRejected, FileError, Interrupted.
+void check_command(const CheckOptions& options);
+
+/// Prints the devices as a table or as JSON.
+void devices_command(const DevicesOptions& options);
+
+} // namespace proxima

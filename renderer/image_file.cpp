@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/image_file.h"
+#include "parser/source_files.h"
+
+#include <algorithm>
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace proxima {
+namespace {
+
+constexpr float largest_half = 65504.0f; // beyond it a half is infinite
+
+EncodeImage* load_encoder() {
+    void* module = ::dlopen(encoder_module, RTLD_LAZY | RTLD_LOCAL);
+    void* function = module ? ::dlsym(module, encoder_function) : nullptr;
+    if (!function)
+        throw FileError(
+            fmt::format("the image encoder cannot be loaded: {}; it belongs beside the program", ::dlerror()));
+    return reinterpret_cast<EncodeImage*>(function);
+}
+
+template <class Output, class Convert> std::vector<Output> convert_samples(const Image& image, const Convert& convert) {
+    std::vector<Output> samples(image.rgb.size());
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, samples.size(), 1 << 16), [&](const auto& range) {
+        for (size_t i = range.begin(); i != range.end(); ++i)
+            samples[i] = convert(image.rgb[i]);
+    });
+    return samples;
+}
+
+template <class Integer> std::vector<Integer> quantize_all(const Image& image) {
+    return convert_samples<Integer>(
+        image, [](float value) { return quantize<Integer>(value, std::numeric_limits<Integer>::max()); });
+}
+
+} // namespace
+
+ImageEncoder::ImageEncoder() : function_(std::async(std::launch::async, load_encoder).share()) {}
+
+std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageFileSettings& settings) {
+    EncodeRequest request{.format = settings.format,
+                          .type = settings.type,
+                          .width = image.width,
+                          .height = image.height,
+                          .samples = image.rgb.data(),
+                          .color_encoding = settings.color_encoding,
+                          .software = "Proxima " PROXIMA_VERSION,
+                          .scene = settings.scene,
+                          .frame = settings.frame};
+    EncodeImage* const encode = function_.get();
+    switch (settings.type) {
+    case SampleType::uint8: {
+        const auto samples = quantize_all<uint8_t>(image);
+        request.samples = samples.data();
+        return encode(request);
+    }
+    case SampleType::uint16: {
+        const auto samples = quantize_all<uint16_t>(image);
+        request.samples = samples.data();
+        return encode(request);
+    }
+    case SampleType::half: {
+        const auto samples =
+            convert_samples<float>(image, [](float value) { return std::clamp(value, -largest_half, largest_half); });
+        request.samples = samples.data();
+        return encode(request);
+    }
+    case SampleType::float32:
+        break;
+    }
+    return encode(request);
+}
+
+} // namespace proxima

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A finished picture in, a file's bytes out: display colours or linear light, rounded as the file wants them.
+#pragma once
+#include "renderer/image.h"
+#include "renderer/image_encoder.h"
+
+#include <future>
+#include <string>
+#include <vector>
+
+namespace proxima {
+
+/// The level of a display value in [0, max]: floor(clip(value, 0, 1) * max + 0.5), which is POV-Ray's rounding.
+template <class Integer> Integer quantize(float value, Integer max) {
+    const float clipped = value < 0.0f ? 0.0f : value > 1.0f ? 1.0f : value;
+    return Integer(double(clipped) * double(max) + 0.5);
+}
+
+/// What a file says beside its picture.
+struct ImageFileSettings {
+    ImageFormat format = ImageFormat::png;
+    SampleType type = SampleType::uint8;
+    std::string color_encoding{};
+    std::string scene{};
+    int64_t frame = 0;
+};
+
+/// The encoder module, loaded on a thread of its own from the program's folder (or the library path).
+class ImageEncoder {
+public:
+    /// Starts loading and returns.
+    ImageEncoder();
+
+    /// The file's bytes. `image` holds finite numbers. Waits for the module. Throws FileError when the module cannot
+    /// be loaded, std::runtime_error when the picture cannot be encoded.
+    std::vector<unsigned char> encode(const Image& image, const ImageFileSettings& settings);
+
+private:
+    std::shared_future<EncodeImage*> function_;
+};
+
+} // namespace proxima

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/option_values.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace proxima {
+namespace {
+
+constexpr uint32_t max_side = 65536;
+constexpr uint64_t max_pixels = uint64_t(1) << 31;
+constexpr uint32_t max_voxels_along = 65535;
+constexpr uint64_t max_voxels = uint64_t(1) << 32;
+
+/// The whole of `text` as a number, or nothing.
+template <class Number> std::optional<Number> read_number(std::string_view text) {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || text.empty())
+        return std::nullopt;
+    return value;
+}
+
+float parse_clock_value(std::string_view whole, std::string_view text) {
+    const auto value = read_number<double>(text);
+    if (!value || !std::isfinite(float(*value)))
+        throw UsageError(fmt::format(
+            "--clock {}: '{}' is not a finite number; write 0.25 for a still, 0:1 for an animation", whole, text));
+    return float(*value);
+}
+
+bool is_identifier(std::string_view name) {
+    const auto is_letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
+    return !name.empty() && is_letter(static_cast<unsigned char>(name[0])) &&
+           std::all_of(name.begin(), name.end(), [&](unsigned char c) { return is_letter(c) || std::isdigit(c); });
+}
+
+} // namespace
+
+uint32_t parse_count(std::string_view option, std::string_view text, uint32_t lowest, uint32_t highest) {
+    const auto value = read_number<uint64_t>(text);
+    if (!value || *value < lowest || *value > highest)
+        throw UsageError(fmt::format("{} {}: write a whole number from {} to {}", option, text, lowest, highest));
+    return uint32_t(*value);
+}
+
+std::pair<uint32_t, uint32_t> parse_size(std::string_view text) {
+    const size_t cross = std::min(text.find('x'), text.size());
+    const auto width = read_number<uint64_t>(text.substr(0, cross));
+    const auto height = read_number<uint64_t>(text.substr(std::min(cross + 1, text.size())));
+    if (!width || !height || *width == 0 || *height == 0)
+        throw UsageError(fmt::format("--size {}: write width x height in pixels, like 1280x720", text));
+    if (*width > max_side || *height > max_side || *width * *height > max_pixels)
+        throw UsageError(
+            fmt::format("--size {}: a picture has at most {} pixels a side and {} in all; choose a smaller one", text,
+                        max_side, max_pixels));
+    return {uint32_t(*width), uint32_t(*height)};
+}
+
+std::array<uint32_t, 3> parse_grid(std::string_view text) {
+    std::vector<uint32_t> counts;
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find('x', begin), text.size());
+        counts.push_back(parse_count("--grid", text.substr(begin, end - begin), 1, max_voxels_along));
+        begin = end + 1;
+    }
+    if (counts.size() == 1)
+        counts.resize(3, counts[0]);
+    if (counts.size() != 3)
+        throw UsageError(
+            fmt::format("--grid {}: write one number of voxels for all axes, or three like 64x32x64", text));
+    if (uint64_t(counts[0]) * counts[1] * counts[2] > max_voxels)
+        throw UsageError(fmt::format("--grid {}: more than {} voxels; choose a coarser grid", text, max_voxels));
+    return {counts[0], counts[1], counts[2]};
+}
+
+ClockValues parse_clock(std::string_view text) {
+    const size_t colon = text.find(':');
+    ClockValues clock{parse_clock_value(text, text.substr(0, colon)), std::nullopt};
+    if (colon != std::string_view::npos)
+        clock.final = parse_clock_value(text, text.substr(colon + 1));
+    return clock;
+}
+
+std::pair<std::string, std::string> parse_declare(std::string_view text) {
+    const size_t equals = text.find('=');
+    const std::string_view name = text.substr(0, equals);
+    if (equals == std::string_view::npos || !is_identifier(name))
+        throw UsageError(fmt::format("--declare {}: write NAME=VALUE, like Count=12", text));
+    const std::string_view value = text.substr(equals + 1);
+    const bool is_string = value.size() >= 2 && value.front() == '"' && value.back() == '"';
+    const auto number = read_number<double>(value);
+    if (!is_string && !(number && std::isfinite(*number)))
+        throw UsageError(fmt::format("--declare {}: the value is neither a number nor a text in double quotes; write "
+                                     "'{}=\"{}\"' with the quotes",
+                                     text, name, value));
+    return {std::string(name), std::string(value)};
+}
+
+DeviceChoice parse_device(std::string_view text) {
+    using Kind = DeviceChoice::Kind;
+    if (text == "auto")
+        return {Kind::automatic, 0};
+    if (text == "cpu")
+        return {Kind::cpu, 0};
+    if (text == "cuda")
+        return {Kind::cuda, 0};
+    if (text.starts_with("cuda:"))
+        return {Kind::cuda, int(parse_count("--device cuda:", text.substr(5), 0, 1023))};
+    throw UsageError(fmt::format("--device {}: write auto, cpu, cuda or cuda:N; `proxima devices` lists them", text));
+}
+
+} // namespace proxima

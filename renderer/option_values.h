@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The text of one option in, its value out. Each function names the option in the UsageError that it throws, and says
+// what to write instead.
+#pragma once
+#include "parser/diagnostics.h"
+#include "renderer/errors.h"
+#include "renderer/options.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace proxima {
+
+/// A whole number in [lowest, highest].
+uint32_t parse_count(std::string_view option, std::string_view text, uint32_t lowest, uint32_t highest);
+
+/// "640x480": at most 65536 a side and 2^31 pixels.
+std::pair<uint32_t, uint32_t> parse_size(std::string_view text);
+
+/// "64" or "64x32x64".
+std::array<uint32_t, 3> parse_grid(std::string_view text);
+
+/// "0.3" or "0:1": one clock or the first and the last.
+struct ClockValues {
+    float initial = 0.0f;
+    std::optional<float> final;
+};
+ClockValues parse_clock(std::string_view text);
+
+/// "NAME=2.5" or "NAME=\"text\"".
+std::pair<std::string, std::string> parse_declare(std::string_view text);
+
+/// "auto", "cpu", "cuda", "cuda:1".
+DeviceChoice parse_device(std::string_view text);
+
+/// One of a few words.
+template <class Value>
+Value parse_choice(std::string_view option, const std::string& text, const std::map<std::string, Value>& choices) {
+    if (const auto found = choices.find(text); found != choices.end())
+        return found->second;
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : choices)
+        names.push_back(name);
+    const std::string near = nearest_name(text, names);
+    throw UsageError(fmt::format("{} {}: not one of {}{}", option, text, fmt::join(names, ", "),
+                                 near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+}
+
+} // namespace proxima

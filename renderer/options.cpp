@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/options.h"
+#include "renderer/errors.h"
+#include "renderer/frame_range.h"
+#include "renderer/option_values.h"
+
+#include <CLI/CLI.hpp>
+#include <unordered_set>
+
+namespace proxima {
+namespace {
+
+/// The options as the user wrote them; empty where absent.
+struct SceneTexts {
+    std::string scene, size = "640x480", frames, subset, clock;
+    std::vector<std::string> include_paths, declares;
+    bool cyclic = false;
+};
+
+struct RenderTexts {
+    SceneTexts scene;
+    std::string output, samples = "1", device = "auto", accelerator = "auto", grid = "auto", precision = "float",
+                        tolerances = "exact", display, view, bits, ocio, threads = "0", progress = "auto", stats_json;
+};
+
+void add_scene_options(CLI::App& command, SceneTexts& texts) {
+    command.add_option("SCENE", texts.scene, "The scene file")->required();
+    command.add_option("--size", texts.size, "Width x height in pixels [640x480]")->type_name("WxH");
+    command.add_option("--frames", texts.frames, "The animation: sets clock and numbering (1-100, 1-100x2, 1,3,5..9)")
+        ->type_name("RANGE");
+    command.add_option("--clock", texts.clock, "A still's clock, or an animation's first and last [0:1]")
+        ->type_name("V|A:B");
+    command.add_flag("--cyclic", texts.cyclic, "The clock stops one step short of its last value");
+    command.add_option("--declare", texts.declares, "Declares NAME before the scene is read; repeatable")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--include-path", texts.include_paths, "Folder for #include, after the scene's; repeatable")
+        ->type_name("DIR")
+        ->expected(1)
+        ->take_all();
+}
+
+CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
+    CLI::App* render = app.add_subcommand("render", "Render a scene into picture files");
+    add_scene_options(*render, texts.scene);
+    render
+        ->add_option("-o,--output", texts.output,
+                     "Picture file: .png .exr .tif .jpg; #### or %04d is the frame [SCENE.png]")
+        ->type_name("OUT");
+    render->add_option("--subset", texts.scene.subset, "The frames of --frames to render now [all]")
+        ->type_name("RANGE");
+    render->add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
+    render->add_option("--device", texts.device, "auto, cpu, cuda or cuda:N [auto: a CUDA device if there is one]")
+        ->type_name("DEVICE");
+    render->add_option("--accel", texts.accelerator, "How rays find spheres: auto, grid, brute [auto]")
+        ->type_name("METHOD");
+    render->add_option("--grid", texts.grid, "Voxels along each axis [auto: chosen from the scene]")
+        ->type_name("N|NxNxN");
+    render->add_option("--precision", texts.precision, "float or double [float]")->type_name("P");
+    render->add_option("--tolerances", texts.tolerances, "exact, or povray to compare with POV-Ray [exact]")
+        ->type_name("T");
+    render->add_option("--bits", texts.bits, "8, 16, half or float a channel [8; half for .exr]")->type_name("B");
+    render->add_option("--display", texts.display, "Display of the colour configuration [its default: sRGB]")
+        ->type_name("D");
+    render->add_option("--view", texts.view, "View of that display; Raw keeps linear numbers [Un-tone-mapped]")
+        ->type_name("V");
+    render->add_option("--ocio", texts.ocio, "OpenColorIO configuration [$OCIO, else embedded]")->type_name("FILE");
+    render->add_option("--threads", texts.threads, "CPU threads [0: all cores]")->type_name("N");
+    render->add_option("--progress", texts.progress, "auto, plain, json or none, on standard error [auto]")
+        ->type_name("STYLE");
+    render->add_option("--stats-json", texts.stats_json, "Write what each step cost as JSON")->type_name("FILE");
+    render->footer("Examples:\n"
+                   "  proxima render ball.scn\n"
+                   "  proxima render ball.scn -o ball.exr --size 1920x1080 --samples 16\n"
+                   "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic\n"
+                   "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic --subset 31-60\n");
+    return render;
+}
+
+Animation read_animation(const SceneTexts& texts) {
+    const bool has_clock = !texts.clock.empty();
+    const ClockValues clock = has_clock ? parse_clock(texts.clock) : ClockValues{};
+    if (texts.frames.empty()) {
+        if (!texts.subset.empty())
+            throw UsageError("--subset: it chooses from an animation's frames; give --frames A-B too");
+        if (texts.cyclic)
+            throw UsageError("--cyclic: only an animation goes round; give --frames A-B too");
+        if (clock.final)
+            throw UsageError(
+                fmt::format("--clock {}: a still has one clock; write --clock {}, or give --frames A-B too",
+                            texts.clock, clock.initial));
+        return Animation::still(has_clock ? std::optional(clock.initial) : std::nullopt);
+    }
+    if (has_clock && !clock.final)
+        throw UsageError(fmt::format("--clock {0}: an animation's clock is a range; write --clock 0:{0}", texts.clock));
+
+    const std::vector<int64_t> all = parse_frame_range("--frames", texts.frames);
+    std::vector<int64_t> frames = texts.subset.empty() ? all : parse_frame_range("--subset", texts.subset);
+    const std::unordered_set<int64_t> known(all.begin(), all.end());
+    for (const int64_t frame : frames)
+        if (!known.contains(frame))
+            throw UsageError(
+                fmt::format("--subset {}: frame {} is not one of --frames {}; --frames is the whole animation",
+                            texts.subset, frame, texts.frames));
+    Animation animation = Animation::sequence(all, std::move(frames));
+    animation.cyclic = texts.cyclic;
+    if (clock.final) {
+        animation.initial_clock = clock.initial;
+        animation.final_clock = *clock.final;
+    }
+    return animation;
+}
+
+SceneOptions read_scene_options(const SceneTexts& texts) {
+    SceneOptions options;
+    options.scene = texts.scene;
+    options.include_paths.assign(texts.include_paths.begin(), texts.include_paths.end());
+    for (const std::string& declare : texts.declares)
+        options.declares.push_back(parse_declare(declare));
+    std::tie(options.width, options.height) = parse_size(texts.size);
+    options.animation = read_animation(texts);
+    return options;
+}
+
+OutputName read_output(const RenderTexts& texts, const SceneOptions& scene) {
+    const bool still = scene.animation.is_still;
+    if (texts.output.empty())
+        return OutputName(scene.scene.stem().string() + (still ? ".png" : ".%04d.png"));
+    OutputName output(texts.output);
+    if (still && output.has_frame_number())
+        throw UsageError(fmt::format("-o {}: a still has no frame number; take '#' or '%d' out of the name, or give "
+                                     "--frames A-B",
+                                     texts.output));
+    if (!still && !output.has_frame_number()) {
+        const std::filesystem::path name(texts.output);
+        throw UsageError(fmt::format("-o {}: an animation's frames need names of their own; write {}.####{}",
+                                     texts.output, (name.parent_path() / name.stem()).string(),
+                                     name.extension().string()));
+    }
+    return output;
+}
+
+RenderOptions read_render_options(const RenderTexts& texts) {
+    RenderOptions options;
+    options.scene = read_scene_options(texts.scene);
+    options.output = read_output(texts, options.scene);
+    options.type =
+        choose_sample_type(options.output->format(), texts.bits.empty() ? std::nullopt : std::optional(texts.bits));
+    if (is_scene_linear(options.type) && !(texts.display.empty() && texts.view.empty()))
+        throw UsageError(
+            "--display, --view: this file holds scene-linear light, not a view of it; write a .png, or leave "
+            "them out");
+    options.color = {texts.ocio.empty() ? std::nullopt : std::optional<std::filesystem::path>(texts.ocio),
+                     texts.display, texts.view};
+
+    FrameSettings& frame = options.frame;
+    frame.width = options.scene.width;
+    frame.height = options.scene.height;
+    frame.samples = parse_count("--samples", texts.samples, 1, 65536);
+    frame.precision = parse_choice<Precision>("--precision", texts.precision,
+                                              {{"float", Precision::float32}, {"double", Precision::float64}});
+    frame.tolerances = parse_choice<Tolerances>("--tolerances", texts.tolerances,
+                                                {{"exact", Tolerances::exact}, {"povray", Tolerances::povray}});
+    frame.accelerator = parse_choice<Accelerator>(
+        "--accel", texts.accelerator,
+        {{"auto", Accelerator::automatic}, {"grid", Accelerator::grid}, {"brute", Accelerator::brute}});
+    if (texts.grid != "auto")
+        frame.grid = parse_grid(texts.grid);
+    options.device = parse_device(texts.device);
+    options.threads = parse_count("--threads", texts.threads, 0, 4096);
+    options.progress = parse_choice<ProgressStyle>("--progress", texts.progress,
+                                                   {{"auto", ProgressStyle::automatic},
+                                                    {"plain", ProgressStyle::plain},
+                                                    {"json", ProgressStyle::json},
+                                                    {"none", ProgressStyle::none}});
+    if (!texts.stats_json.empty())
+        options.stats_json = texts.stats_json;
+    return options;
+}
+
+} // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+    CLI::App app("Proxima renders scenes of spheres, written in a strict subset of POV-Ray's language.", "proxima");
+    app.set_version_flag("--version", "proxima " PROXIMA_VERSION);
+    app.require_subcommand(1);
+    app.footer("`proxima COMMAND --help` tells more.\n"
+               "Exit codes: 0 done; 1 the scene is wrong; 2 the command line is wrong; 3 a file could not be read or\n"
+               "written; 33 out of memory; 75 a device was lost, try again elsewhere; 128+n after signal n.\n");
+
+    RenderTexts render_texts;
+    SceneTexts check_texts;
+    DevicesOptions devices_options;
+    const CLI::App* render = add_render(app, render_texts);
+    CLI::App* check = app.add_subcommand("check", "Read a scene, report every mistake, count what is in it");
+    add_scene_options(*check, check_texts);
+    CLI::App* devices = app.add_subcommand("devices", "List what can render");
+    devices->add_flag("--json", devices_options.json, "As JSON");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return Information{app.help()};
+    } catch (const CLI::CallForVersion& version) {
+        return Information{std::string(version.what()) + '\n'};
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(fmt::format("{}; `proxima --help` shows what can be written", error.what()));
+    }
+    if (render->parsed())
+        return read_render_options(render_texts);
+    if (check->parsed())
+        return CheckOptions{read_scene_options(check_texts)};
+    return devices_options;
+}
+
+} // namespace proxima

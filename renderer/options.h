@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line as checked values. Whatever can be found wrong without reading a file is found here.
+#pragma once
+#include "renderer/animation.h"
+#include "renderer/color.h"
+#include "renderer/frame_renderer.h"
+#include "renderer/output_name.h"
+#include "renderer/progress.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace proxima {
+
+/// What decides how a scene file reads.
+struct SceneOptions {
+    std::filesystem::path scene;
+    std::vector<std::filesystem::path> include_paths;
+    std::vector<std::pair<std::string, std::string>> declares;
+    uint32_t width = 640, height = 480; ///< pixels
+    Animation animation;
+};
+
+struct DeviceChoice {
+    enum class Kind { automatic, cpu, cuda } kind = Kind::automatic;
+    int ordinal = 0; ///< of a CUDA device
+};
+
+struct RenderOptions {
+    SceneOptions scene;
+    std::optional<OutputName> output; ///< always set by parse_command_line
+    SampleType type = SampleType::uint8;
+    FrameSettings frame;
+    DeviceChoice device;
+    unsigned threads = 0; ///< 0: one for each core that the process may use
+    ColorSettings color;
+    ProgressStyle progress = ProgressStyle::automatic;
+    std::optional<std::filesystem::path> stats_json;
+};
+
+struct CheckOptions {
+    SceneOptions scene;
+};
+
+struct DevicesOptions {
+    bool json = false;
+};
+
+/// --help and --version: text for standard output, and nothing else to do.
+struct Information {
+    std::string text;
+};
+
+using Command = std::variant<RenderOptions, CheckOptions, DevicesOptions, Information>;
+
+/// Throws UsageError.
+Command parse_command_line(int argc, const char* const* argv);
+
+} // namespace proxima

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// The order of work of `proxima render`: everything that can be refused is refused first, then frames are rendered here
+// and coloured, encoded and written on the writer's thread.
+#include "renderer/atomic_file.h"
+#include "renderer/commands.h"
+#include "renderer/device_error.h"
+#include "renderer/errors.h"
+#include "renderer/frame_writer.h"
+#include "renderer/image_file.h"
+#include "renderer/scene_source.h"
+#include "renderer/stop_signal.h"
+
+#include <cstdio>
+#include <fmt/format.h>
+#include <future>
+#include <tbb/global_control.h>
+
+namespace proxima {
+namespace {
+
+std::unique_ptr<FrameRenderer> make_renderer(const DeviceChoice& choice, unsigned threads) {
+    if (choice.kind == DeviceChoice::Kind::cpu)
+        return make_cpu_renderer(threads);
+    if (choice.kind == DeviceChoice::Kind::cuda)
+        return make_cuda_renderer(choice.ordinal);
+    std::string reason;
+    if (!list_cuda_devices(reason).empty()) {
+        try {
+            return make_cuda_renderer(0);
+        } catch (const DeviceError& error) {
+            if (error.kind != DeviceError::Kind::unavailable)
+                throw;
+        }
+    }
+    return make_cpu_renderer(threads);
+}
+
+void check_outputs(const RenderOptions& options) {
+    for (const int64_t frame : {options.scene.animation.frames.front(), options.scene.animation.frames.back()})
+        check_writable(options.output->path(frame));
+    if (options.stats_json)
+        check_writable(*options.stats_json);
+}
+
+void write_statistics(const RenderOptions& options, const RunRecord& run) {
+    if (!options.stats_json)
+        return;
+    const std::string text = to_json(run);
+    write_file(*options.stats_json, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+/// Turns a rendered picture into its file: the writer's side of the run.
+struct FrameFinisher {
+    const RenderOptions& options;
+    const std::optional<ColorTransform>& color; ///< empty for scene-linear files
+    ImageEncoder& encoder;
+    Progress& progress;
+
+    void operator()(FinishedFrame& frame) const {
+        FrameRecord& record = frame.record;
+        timed(record.color_ms, [&] {
+            record.replaced_samples = replace_non_finite(frame.image);
+            if (color)
+                color->apply(frame.image);
+        });
+        if (record.replaced_samples > 0)
+            progress.note(fmt::format("frame {}: {} samples were not finite; NaN became 0, infinity 65504",
+                                      record.frame, record.replaced_samples));
+        const ImageFileSettings settings{.format = options.output->format(),
+                                         .type = options.type,
+                                         .color_encoding = color ? color->encoding() : "Linear",
+                                         .scene = options.scene.scene.filename().string(),
+                                         .frame = record.frame};
+        const auto bytes = timed(record.encode_ms, [&] { return encoder.encode(frame.image, settings); });
+        timed(record.write_ms, [&] { write_file(record.file, bytes); });
+        progress.frame_written(record.frame, record.file);
+    }
+};
+
+} // namespace
+
+void render_command(const RenderOptions& options) {
+    const Stopwatch wall;
+    const StopSignal stop;
+    const Animation& animation = options.scene.animation;
+    std::optional<tbb::global_control> limit;
+    if (options.threads > 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+    check_outputs(options);
+    std::optional<ColorTransform> color;
+    if (!is_scene_linear(options.type))
+        color.emplace(options.color);
+
+    auto starting_renderer = std::async(std::launch::async, make_renderer, options.device, options.threads);
+    SceneSource scene(options.scene);
+    scene.load(animation.frames.front());
+    std::fputs(scene.messages(false).c_str(), stderr);
+    const std::unique_ptr<FrameRenderer> renderer = starting_renderer.get();
+
+    RunRecord run{.scene = options.scene.scene.string(),
+                  .width = options.frame.width,
+                  .height = options.frame.height,
+                  .samples = options.frame.samples};
+    Progress progress(options.progress, animation.frames.size());
+    if (animation.has_no_step())
+        progress.note(fmt::format("an animation of one frame has no step from clock to clock (POV-Ray's is NaN then); "
+                                  "clock is {} and clock_delta 0",
+                                  animation.initial_clock));
+    std::optional<ImageEncoder> encoder;
+    std::optional<FrameWriter> writer;
+    for (const int64_t frame : animation.frames) {
+        if (stop.caught())
+            break;
+        const bool is_first = !writer;
+        if (scene.load(frame) || is_first) {
+            run.spheres = scene.program().spheres.size() + scene.program().ellipsoids.size();
+            renderer->set_scene(scene.program());
+            scene.release_program();
+        }
+        if (is_first) { // loading it beside the first frame's rendering hides what it costs
+            encoder.emplace();
+            writer.emplace(FrameFinisher{options, color, *encoder, progress});
+        }
+        FinishedFrame finished{writer->take_image(), {}};
+        finished.record = {.frame = frame,
+                           .file = options.output->path(frame).string(),
+                           .device = renderer->name(),
+                           .precision = options.frame.precision == Precision::float64 ? "double" : "float"};
+        finished.record.statistics = renderer->render(options.frame, finished.image);
+        writer->push(std::move(finished));
+    }
+    if (writer)
+        run.frames = writer->finish();
+    run.parse_ms = scene.parse_ms();
+    run.evaluate_ms = scene.evaluate_ms();
+    run.wall_ms = wall.milliseconds();
+    write_statistics(options, run);
+    if (stop.caught() && run.frames.size() < animation.frames.size())
+        throw Interrupted(stop.caught());
+}
+
+} // namespace proxima

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/scene_source.h"
+#include "renderer/errors.h"
+#include "renderer/timing.h"
+
+#include <fmt/format.h>
+
+namespace proxima {
+
+SceneSource::SceneSource(const SceneOptions& options) : options_(options) {
+    timed(parse_ms_, [&] { script_.emplace(options.scene, options.include_paths, diagnostics_); });
+    reject_mistakes(diagnostics_);
+}
+
+bool SceneSource::load(int64_t frame) {
+    if (same_for_all_frames_ || loaded_frame_ == frame)
+        return false;
+    const EvaluationSettings settings{.time = options_.animation.clock(frame),
+                                      .image_width = options_.width,
+                                      .image_height = options_.height,
+                                      .declares = options_.declares,
+                                      .last_evaluation = options_.animation.frames.size() == 1};
+    Diagnostics later; // what a later frame repeats is not said again
+    Diagnostics& diagnostics = loaded_frame_ ? later : diagnostics_;
+    program_ = {};
+    timed(evaluate_ms_, [&] { program_ = script_->evaluate(settings, diagnostics); });
+    reject_mistakes(diagnostics);
+    loaded_frame_ = frame;
+    same_for_all_frames_ = !program_.depends_on_time;
+    return true;
+}
+
+std::string SceneSource::messages(bool notes) const {
+    Diagnostics shown;
+    for (const Diagnostic& diagnostic : diagnostics_.all())
+        if (notes || diagnostic.severity != Severity::note)
+            shown.report(diagnostic);
+    return shown.format(script_->files());
+}
+
+void SceneSource::reject_mistakes(const Diagnostics& diagnostics) const {
+    if (!diagnostics.has_errors())
+        return;
+    const size_t count = diagnostics.error_count();
+    throw SceneRejected(fmt::format("{}: {} in the scene; each is shown above with what was expected",
+                                    options_.scene.string(),
+                                    count == 1 ? "a mistake" : fmt::format("{} mistakes", count)),
+                        diagnostics.format(script_->files()));
+}
+
+} // namespace proxima

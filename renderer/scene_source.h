@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene file of a command: read and parsed once, evaluated as often as its frames differ.
+#pragma once
+#include "parser/scene_script.h"
+#include "renderer/options.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace proxima {
+
+class SceneSource {
+public:
+    /// Reads and parses. Throws FileError and SceneRejected. `options` must outlive this.
+    explicit SceneSource(const SceneOptions& options);
+
+    /// Evaluates `frame` unless it is the same scene as the frame before. Returns whether program() is new.
+    /// Throws FileError and SceneRejected.
+    bool load(int64_t frame);
+
+    const SceneProgram& program() const { return program_; }
+    /// Frees the program's memory; a device has its own copy. Frames that do not differ are still known to be the same.
+    void release_program() { program_ = {}; }
+
+    /// Warnings, and with `notes` also notes, of everything up to now.
+    std::string messages(bool notes) const;
+
+    double parse_ms() const { return parse_ms_; }
+    double evaluate_ms() const { return evaluate_ms_; }
+
+private:
+    void reject_mistakes(const Diagnostics& diagnostics) const;
+
+    const SceneOptions& options_;
+    Diagnostics diagnostics_; ///< of parsing and of the first evaluation
+    double parse_ms_ = 0, evaluate_ms_ = 0;
+    std::optional<SceneScript> script_;
+    SceneProgram program_;
+    std::optional<int64_t> loaded_frame_;
+    bool same_for_all_frames_ = false;
+};
+
+} // namespace proxima

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/statistics_json.h"
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace proxima {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+uint64_t peak_host_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return uint64_t(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
+Json frame_json(const FrameRecord& record) {
+    const FrameStatistics& statistics = record.statistics;
+    return {{"frame", record.frame},
+            {"file", record.file},
+            {"device", record.device},
+            {"precision", record.precision},
+            {"method", statistics.method},
+            {"metric", nullptr},
+            {"grid", statistics.grid},
+            {"references", statistics.references},
+            {"occupied", statistics.occupied},
+            {"mean_distance", statistics.mean_distance},
+            {"motion_ms", statistics.motion_ms},
+            {"build_ms", statistics.build_ms},
+            {"cloud_ms", statistics.cloud_ms},
+            {"trace_ms", statistics.trace_ms},
+            {"readback_ms", statistics.readback_ms},
+            {"color_ms", record.color_ms},
+            {"encode_ms", record.encode_ms},
+            {"write_ms", record.write_ms},
+            {"peak_device_bytes", statistics.peak_device_bytes},
+            {"replaced_samples", record.replaced_samples}};
+}
+
+} // namespace
+
+std::string to_json(const RunRecord& run) {
+    Json json{{"program", "proxima"},
+              {"version", PROXIMA_VERSION},
+              {"scene", run.scene},
+              {"width", run.width},
+              {"height", run.height},
+              {"samples", run.samples},
+              {"parse_ms", run.parse_ms},
+              {"evaluate_ms", run.evaluate_ms},
+              {"spheres", run.spheres},
+              {"moving", run.moving},
+              {"peak_host_bytes", peak_host_bytes()},
+              {"wall_ms", run.wall_ms},
+              {"frames", Json::array()}};
+    for (const FrameRecord& record : run.frames)
+        json["frames"].push_back(frame_json(record));
+    // A path that is not UTF-8 must not end the run.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+} // namespace proxima

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run cost, as one JSON object: the --stats-json file.
+#pragma once
+#include "renderer/frame_renderer.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace proxima {
+
+struct FrameRecord {
+    int64_t frame = 0;
+    std::string file;
+    std::string device;
+    std::string precision;
+    FrameStatistics statistics{};
+    uint64_t replaced_samples = 0; ///< not finite, see replace_non_finite
+    double color_ms = 0, encode_ms = 0, write_ms = 0;
+};
+
+struct RunRecord {
+    std::string scene;
+    uint32_t width = 0, height = 0, samples = 1;
+    double parse_ms = 0;
+    double evaluate_ms = 0; ///< all frames together
+    double wall_ms = 0;
+    uint64_t spheres = 0; ///< in the last frame evaluated; ellipsoids included
+    uint64_t moving = 0;
+    std::vector<FrameRecord> frames{};
+};
+
+/// The JSON text, ending in a line's end. `peak_host_bytes` is read from the system.
+std::string to_json(const RunRecord& run);
+
+} // namespace proxima

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "parser/source_files.h"
+#include "renderer/color.h"
+#include "renderer/errors.h"
+#include "renderer/image_file.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+using namespace proxima;
+
+namespace {
+
+std::array<float, 3> through(const ColorSettings& settings, std::array<float, 3> color) {
+    Image image{1, 1, {color[0], color[1], color[2]}};
+    ColorTransform(settings).apply(image);
+    return {image.rgb[0], image.rgb[1], image.rgb[2]};
+}
+
+/// IEC 61966-2-1, the curve that POV-Ray puts into PNG files.
+double srgb(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+const ColorSettings untoned{{}, "sRGB", "Un-tone-mapped"};
+
+} // namespace
+
+TEST_CASE("color: the embedded configuration gives the golden values") {
+    struct Row {
+        ColorSettings settings;
+        std::array<float, 3> linear, display;
+    };
+    const ColorSettings aces{{}, "sRGB", "ACES 1.0 - SDR Video"};
+    const Row rows[] = {
+        {{}, {0.18f, 0.18f, 0.18f}, {0.461356f, 0.461356f, 0.461356f}},
+        {untoned, {0.5f, 0.25f, 0.05f}, {0.735357f, 0.537099f, 0.247801f}},
+        {aces, {0.18f, 0.18f, 0.18f}, {0.355954f, 0.355954f, 0.355954f}},
+        {aces, {0.5f, 0.25f, 0.05f}, {0.634815f, 0.450429f, 0.164420f}},
+        {aces, {4.0f, 1.0f, 0.2f}, {0.985147f, 0.836895f, 0.558990f}},
+        {{{}, "sRGB", "Raw"}, {0.5f, 0.25f, 4.0f}, {0.5f, 0.25f, 4.0f}},
+    };
+    for (const Row& row : rows) {
+        CAPTURE(row.settings.view);
+        const auto display = through(row.settings, row.linear);
+        for (int i = 0; i < 3; ++i)
+            CHECK(display[i] == doctest::Approx(row.display[i]).epsilon(3e-6));
+    }
+    CHECK(through(untoned, {4.0f, 1.0f, 0.2f})[0] == doctest::Approx(1.8248f).epsilon(1e-4));
+}
+
+TEST_CASE("color: a linear picture gives POV-Ray's levels") {
+    constexpr uint32_t side = 1024;
+    Image image{side, side, std::vector<float>(size_t(side) * side * 3)};
+    for (size_t i = 0; i < image.rgb.size(); ++i)
+        image.rgb[i] = float(i) / float(image.rgb.size() - 1);
+    const Image linear = image;
+    ColorTransform(untoned).apply(image);
+    size_t off_by_one_8 = 0, off_by_one_16 = 0;
+    int worst_8 = 0, worst_16 = 0;
+    for (size_t i = 0; i < image.rgb.size(); ++i) {
+        const double expected = srgb(double(linear.rgb[i]));
+        const int error_8 = std::abs(int(quantize<uint8_t>(image.rgb[i], 255)) - int(std::floor(expected * 255 + 0.5)));
+        const int error_16 =
+            std::abs(int(quantize<uint16_t>(image.rgb[i], 65535)) - int(std::floor(expected * 65535 + 0.5)));
+        worst_8 = std::max(worst_8, error_8);
+        worst_16 = std::max(worst_16, error_16);
+        off_by_one_8 += error_8 != 0;
+        off_by_one_16 += error_16 != 0;
+    }
+    MESSAGE("8 bits: ", off_by_one_8, " of ", image.rgb.size(), " samples differ, 16 bits: ", off_by_one_16);
+    CHECK(worst_8 <= 1);
+    CHECK(worst_16 <= 1);
+    CHECK(double(off_by_one_8) <= 1e-4 * double(image.rgb.size()));
+}
+
+TEST_CASE("color: levels are rounded as POV-Ray rounds them") {
+    CHECK(quantize<uint8_t>(-1.0f, 255) == 0);
+    CHECK(quantize<uint8_t>(2.0f, 255) == 255);
+    CHECK(quantize<uint8_t>(0.5f, 255) == 128);
+    CHECK(quantize<uint8_t>(0.49999997f, 255) == 127);
+    CHECK(quantize<uint16_t>(0.461356f, 65535) == 30235);
+    CHECK(quantize<uint16_t>(1.0f, 65535) == 65535);
+}
+
+TEST_CASE("color: the encoding of a view is known to the file") {
+    CHECK(ColorTransform(ColorSettings{}).encoding() == "sRGB");
+    CHECK(ColorTransform({{}, "sRGB", "ACES 1.0 - SDR Video"}).encoding() == "sRGB");
+    CHECK(ColorTransform({{}, "", "Raw"}).encoding() == "Linear");
+    CHECK(ColorTransform({{}, "Rec.1886 Rec.709", ""}).encoding() == "Gamma2.4");
+}
+
+TEST_CASE("color: an unknown display or view is refused with the choices") {
+    CHECK_THROWS_WITH_AS(ColorTransform({{}, "srgb", ""}),
+                         "--display 'srgb': the colour configuration does not have it; choose one of 'sRGB', "
+                         "'Rec.1886 Rec.709'",
+                         UsageError);
+    CHECK_THROWS_WITH_AS(ColorTransform({{}, "", "Filmic"}),
+                         "--view 'Filmic': the colour configuration does not have it; choose one of 'Un-tone-mapped', "
+                         "'ACES 1.0 - SDR Video', 'Raw'",
+                         UsageError);
+}
+
+TEST_CASE("color: --ocio is above $OCIO, which is above the embedded configuration") {
+    const auto config = [](const char* name, const char* view) {
+        std::ofstream(name)
+            << "ocio_profile_version: 2\nroles: {default: lin_rec709, scene_linear: lin_rec709}\n"
+            << "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
+            << "displays:\n  screen:\n    - !<View> {name: " << view << ", colorspace: half}\n"
+            << "colorspaces:\n  - !<ColorSpace> {name: lin_rec709}\n"
+            << "  - !<ColorSpace>\n    name: half\n    from_scene_reference: !<MatrixTransform> {matrix: "
+               "[0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}\n";
+        return std::filesystem::path(name);
+    };
+    const auto environment = config("environment.ocio", "of_environment");
+    const auto option = config("option.ocio", "of_option");
+    setenv("OCIO", environment.c_str(), 1);
+    CHECK(through({{}, "screen", "of_environment"}, {1, 1, 1})[0] == 0.5f);
+    CHECK(through({option, "screen", "of_option"}, {1, 1, 1})[0] == 0.5f);
+    setenv("OCIO", "no such file.ocio", 1);
+    CHECK_THROWS_AS(ColorTransform(ColorSettings{}), FileError);
+    setenv("OCIO", "", 1);
+    CHECK(through({}, {1, 1, 1})[0] == doctest::Approx(1.0f));
+    unsetenv("OCIO");
+    std::ofstream("broken.ocio") << "this: is: no: configuration";
+    CHECK_THROWS_AS(ColorTransform({"broken.ocio", "", ""}), FileError);
+}
+
+TEST_CASE("color: a configuration without linear Rec.709 is entered through ACES2065-1") {
+    std::ofstream("aces.ocio")
+        << "ocio_profile_version: 2\nroles: {default: AP0, scene_linear: AP1, aces_interchange: AP0}\n"
+        << "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
+        << "displays:\n  screen:\n    - !<View> {name: cg, colorspace: AP1}\n"
+        << "colorspaces:\n  - !<ColorSpace> {name: AP0}\n  - !<ColorSpace>\n    name: AP1\n"
+        << "    to_scene_reference: !<BuiltinTransform> {style: ACEScg_to_ACES2065-1}\n";
+    const auto color = through({"aces.ocio", "", ""}, {0.5f, 0.25f, 0.05f});
+    CHECK(color[0] == doctest::Approx(0.393798f).epsilon(1e-5));
+    CHECK(color[1] == doctest::Approx(0.264858f).epsilon(1e-5));
+    CHECK(color[2] == doctest::Approx(0.081191f).epsilon(1e-5));
+}
+
+TEST_CASE("color: samples that are not finite are replaced and counted") {
+    const float infinity = std::numeric_limits<float>::infinity();
+    Image image{2, 1, {0.5f, std::nanf(""), infinity, -infinity, 1e30f, -1.0f}};
+    CHECK(replace_non_finite(image) == 3);
+    CHECK(image.rgb == std::vector<float>{0.5f, 0.0f, 65504.0f, -65504.0f, 1e30f, -1.0f});
+    CHECK(replace_non_finite(image) == 0);
+}
