@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The product of the parser and the input of the renderer: one frame's scene as plain arrays, in double, in the order of
-// the scene file. Nothing here knows about text, devices or images.
+// The product of the parser and the input of the renderer: one frame's scene as plain arrays, in double, in the order
+// of the scene file. Nothing here knows about text, devices or images.
 #pragma once
 #include "kernels/camera.h"
 #include "kernels/geometry.h"

@@ -38,7 +38,8 @@ struct EvaluationSettings {
 class SceneScript {
 public:
     /// Reads and parses `path`. Mistakes go to `diagnostics`; files that cannot be read throw FileError.
-    SceneScript(const std::filesystem::path& path, std::vector<std::filesystem::path> include_paths, Diagnostics& diagnostics);
+    SceneScript(const std::filesystem::path& path, std::vector<std::filesystem::path> include_paths,
+                Diagnostics& diagnostics);
     ~SceneScript();
     SceneScript(SceneScript&&) noexcept;
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours in every spelling of POV-Ray.
+#include "parser/evaluator.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace proxima {
+namespace {
+
+/// How the terms after rgb, rgbt, ... go to the channels red, green, blue, filter, transmit.
+struct Spelling {
+    Word word;
+    int count;
+    bool transmit_is_fourth;
+    bool encoded; ///< the sRGB curve
+};
+
+constexpr Spelling spellings[] = {
+    {Word::rgb, 3, false, false},   {Word::rgbf, 4, false, false},  {Word::rgbt, 4, true, false},
+    {Word::rgbft, 5, false, false}, {Word::srgb, 3, false, true},   {Word::srgbf, 4, false, true},
+    {Word::srgbt, 4, true, true},   {Word::srgbft, 5, false, true},
+};
+
+struct Channel {
+    Word word;
+    int index;
+};
+
+constexpr Channel channels[] = {
+    {Word::red, 0}, {Word::green, 1}, {Word::blue, 2}, {Word::filter, 3}, {Word::transmit, 4}};
+
+/// IEC 61966-2-1: the sRGB code value as linear light.
+double srgb_to_linear(double value) {
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+} // namespace
+
+bool Evaluator::starts_color() {
+    const Token& token = peek();
+    return token.kind == TokenKind::word && token.index >= uint32_t(Word::color) &&
+           token.index <= uint32_t(Word::transmit);
+}
+
+Terms Evaluator::color() {
+    const Token& start = peek();
+    const bool spelled_out = accept(Word::color) || accept(Word::colour);
+    Terms result;
+    result.count = 5;
+    bool any = false;
+    const Token& first = peek();
+    for (const Spelling& spelling : spellings) {
+        if (!accept(spelling.word))
+            continue;
+        if (spelling.encoded && !has_assumed_gamma_)
+            fail(first, "an sRGB color needs assumed_gamma in global_settings before it",
+                 "write global_settings { assumed_gamma 1.0 } at the beginning");
+        Terms terms = sum();
+        if (terms.count == 5 && spelling.count < 5)
+            warn(first, fmt::format("a whole color stands after '{}'", this->spelling(first)));
+        else if (terms.count > spelling.count)
+            fail(first, fmt::format("a vector of {} terms stands after '{}'", terms.count, this->spelling(first)),
+                 fmt::format("expected at most {}", spelling.count));
+        else {
+            terms.promote(spelling.count);
+            terms.promote(5);
+            if (spelling.transmit_is_fourth)
+                std::swap(terms.value[3], terms.value[4]);
+        }
+        result = terms;
+        for (int i = 0; spelling.encoded && i < 3; ++i)
+            result.value[i] = encode_working(srgb_to_linear(result.value[i]));
+        any = true;
+        break;
+    }
+    bool may_have_channels = any || spelled_out;
+    if (!any && starts_expression()) {
+        result = sum();
+        result.promote(5);
+        any = true;
+    } else if (!any) {
+        may_have_channels = true;
+    }
+    for (bool more = may_have_channels; more;) {
+        more = false;
+        for (const Channel& channel : channels) {
+            if (!accept(channel.word))
+                continue;
+            result.value[channel.index] = number();
+            any = more = true;
+        }
+    }
+    if (!any)
+        fail_unexpected("a color");
+    if (!result.finite())
+        fail(start, "this color is not finite");
+    return result;
+}
+
+glm::vec3 Evaluator::rgb_color() {
+    const Terms terms = color();
+    return {float(terms.value[0]), float(terms.value[1]), float(terms.value[2])};
+}
+
+} // namespace proxima

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names: the predeclared ones, those of the command line, #declare, #local, #undef and #default.
+#include "parser/evaluator.h"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace proxima {
+
+void Evaluator::predeclare(std::string_view name, Value value) {
+    Binding& binding = scopes_.declare(sources_.symbols.intern(name));
+    binding.value = std::move(value);
+    binding.predeclared = true;
+}
+
+void Evaluator::predeclare() {
+    const SceneClock& time = settings_.time;
+    const std::pair<std::string_view, double> times[] = {
+        {"clock_delta", time.clock_delta}, {"frame_number", time.frame_number},   {"initial_frame", time.initial_frame},
+        {"final_frame", time.final_frame}, {"initial_clock", time.initial_clock}, {"final_clock", time.final_clock},
+    };
+    for (const auto& [name, value] : times) {
+        predeclare(name, Terms(value));
+        time_names_.insert(sources_.symbols.intern(name));
+    }
+    predeclare("image_width", Terms(double(settings_.image_width)));
+    predeclare("image_height", Terms(double(settings_.image_height)));
+    predeclare("input_file_name", std::filesystem::path(sources_.files.name(0)).filename().string());
+    for (const auto& [name, text] : settings_.declares)
+        declare_from_command_line(name, text);
+}
+
+void Evaluator::declare_from_command_line(const std::string& name, const std::string& text) {
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+        return predeclare(name, text.substr(1, text.size() - 2));
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    predeclare(name, Terms(number));
+}
+
+Binding* Evaluator::lookup(const Token& name) {
+    Binding* binding = scopes_.find(name.index);
+    if (!binding)
+        return nullptr;
+    binding->used = true;
+    if (binding->predeclared && time_names_.contains(name.index))
+        depends_on_time_ = true;
+    return binding;
+}
+
+Symbol Evaluator::declared_name() {
+    // The name is taken as it stands: no directive may come in between.
+    const Token& token = *cursor_;
+    if (token.kind == TokenKind::word)
+        fail(token, fmt::format("'{}' is a reserved word", spelling(token)),
+             "expected a name; one with a capital letter is never reserved");
+    if (token.kind != TokenKind::name)
+        fail(token, fmt::format("unexpected '{}'", spelling(token)), "expected a name");
+    ++cursor_;
+    return token.index;
+}
+
+void Evaluator::run_declare(const Token& directive) {
+    ++cursor_;
+    const Token& name = *cursor_;
+    const Symbol symbol = declared_name();
+    const SourceSpan declared = span(name);
+    try {
+        expect(TokenKind::equal);
+        Value value = right_hand_side();
+        // POV-Ray insists on the semicolon after numbers, and on its standing right there.
+        if (std::holds_alternative<Terms>(value)) {
+            const Token& token = peek();
+            if (token.kind != TokenKind::semicolon || directives_run_ != directives_at_last_token_)
+                throw SceneError(declared, fmt::format("this {} lacks its ';'", spelling(directive)),
+                                 "a #declare of a number, vector or color ends in ';', with no directive before it");
+            advance();
+        } else if (cursor_->kind == TokenKind::semicolon) {
+            advance(); // looked at as it stands: the directives that follow may use the name
+        }
+        Binding& binding =
+            directive.directive == Directive::local ? scopes_.declare_local(symbol) : scopes_.declare(symbol);
+        binding.value = std::move(value);
+        binding.declared = declared;
+        binding.predeclared = false;
+    } catch (const SceneError&) {
+        failed_names_.insert(symbol);
+        throw;
+    }
+}
+
+void Evaluator::run_undef() {
+    ++cursor_;
+    scopes_.undefine(declared_name());
+}
+
+Value Evaluator::right_hand_side() {
+    const Token& token = peek();
+    if (starts_object())
+        return object();
+    if (starts_string())
+        return string();
+    if (token.kind == TokenKind::name) {
+        if (const Binding* binding = lookup(token); binding && !std::holds_alternative<Terms>(binding->value)) {
+            Value value = binding->value;
+            advance();
+            return value;
+        }
+    }
+    if (peek_is(Word::texture)) {
+        uint32_t result = Surface::none;
+        do {
+            advance();
+            result = layered(result, texture().index);
+        } while (cursor_->kind == TokenKind::word && cursor_->index == uint32_t(Word::texture));
+        return TextureRef{result};
+    }
+    if (accept(Word::pigment))
+        return pigment(builder_.texture(default_texture_).back().pigment);
+    if (accept(Word::finish))
+        return finish(builder_.texture(default_texture_).back().finish);
+    if (accept(Word::interior))
+        return interior(0);
+    if (accept(Word::material))
+        return material();
+    if (accept(Word::camera))
+        return std::make_shared<const Camera<double>>(camera());
+    if (accept(Word::light_source))
+        return std::make_shared<const Light<double>>(light_source());
+    if (accept(Word::transform))
+        return std::make_shared<const TransformPair>(transform_block());
+    if (starts_color())
+        return color();
+    return sum();
+}
+
+void Evaluator::run_default() {
+    ++cursor_;
+    expect(TokenKind::left_brace);
+    for (;;) {
+        if (accept(Word::texture))
+            default_texture_ = texture().index;
+        else if (accept(Word::pigment))
+            default_texture_ = with_pigment(default_texture_);
+        else if (accept(Word::finish))
+            default_texture_ = with_finish(default_texture_);
+        else
+            break;
+    }
+    expect(TokenKind::right_brace);
+}
+
+} // namespace proxima

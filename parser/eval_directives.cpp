@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// Directives: conditions, loops, includes, messages. They run when the token after them is asked for.
+#include "parser/evaluator.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace proxima {
+
+bool Evaluator::Loop::goes_on(double value) const {
+    return step > 0 ? value < end + epsilon : value > end - epsilon;
+}
+
+void Evaluator::run_directive() {
+    const Token& directive = *cursor_;
+    if (directive.kind == TokenKind::end_of_text)
+        return end_text();
+    if (++steps_ > settings_.step_limit)
+        fail_steps();
+    ++directives_run_;
+    if (!in_item_)
+        item_start_ = cursor_;
+    switch (directive.directive) {
+    case Directive::if_:
+    case Directive::ifdef:
+    case Directive::ifndef:
+        return run_if(directive);
+    case Directive::elseif:
+    case Directive::else_:
+        // The branch before this one was taken, or the cases before it fell through.
+        if (directive.directive == Directive::else_ &&
+            program_->tokens[directive.index].directive == Directive::switch_) {
+            ++cursor_;
+            return;
+        }
+        cursor_ = &program_->tokens[program_->tokens[directive.index].index];
+        return;
+    case Directive::switch_:
+        return run_switch(directive);
+    case Directive::case_:
+    case Directive::range:
+        // Fallen through from the case before: its condition does not matter.
+        ++cursor_;
+        if (cursor_->kind != TokenKind::left_paren || cursor_->target == Token::no_target)
+            fail_unexpected("'(' and a number");
+        cursor_ = &program_->tokens[cursor_->target + 1];
+        return;
+    case Directive::break_: {
+        const Token& opener = program_->tokens[directive.index];
+        if (opener.directive != Directive::switch_)
+            leave_loop(opener);
+        cursor_ = &program_->tokens[opener.index + 1];
+        return;
+    }
+    case Directive::while_:
+        return run_while(directive);
+    case Directive::for_:
+        return run_for(directive);
+    case Directive::end:
+        return run_end(directive);
+    case Directive::declare:
+    case Directive::local:
+        return run_declare(directive);
+    case Directive::undef:
+        return run_undef();
+    case Directive::include:
+        return run_include(directive);
+    case Directive::version:
+        return run_version(directive);
+    case Directive::default_:
+        return run_default();
+    case Directive::debug:
+    case Directive::warning:
+    case Directive::error:
+        return run_message(directive);
+    default:
+        fail(directive, fmt::format("Proxima does not support {}", spelling(directive)));
+    }
+}
+
+bool Evaluator::condition(const Token& directive) {
+    ++cursor_;
+    if (directive.directive == Directive::if_ || directive.directive == Directive::elseif ||
+        directive.directive == Directive::while_) {
+        expect(TokenKind::left_paren);
+        const Token& at = peek();
+        const Terms value = expression();
+        if (value.count != 1)
+            fail(at, "a condition must be a number");
+        expect(TokenKind::right_paren);
+        return std::abs(value.value[0]) >= epsilon;
+    }
+    // #ifdef and #ifndef take a name as it stands.
+    const bool brackets = cursor_->kind == TokenKind::left_paren && cursor_[1].kind == TokenKind::name &&
+                          cursor_[2].kind == TokenKind::right_paren;
+    if (!brackets)
+        fail(*cursor_, fmt::format("unexpected '{}'", spelling(*cursor_)), "expected a name in parentheses");
+    Binding* binding = scopes_.find(cursor_[1].index);
+    if (binding)
+        binding->used = true;
+    cursor_ += 3;
+    return (binding != nullptr) == (directive.directive == Directive::ifdef);
+}
+
+void Evaluator::run_if(const Token& directive) {
+    const Token* branch = &directive;
+    while (!condition(*branch)) {
+        branch = &program_->tokens[branch->target];
+        cursor_ = branch;
+        if (branch->directive != Directive::elseif) {
+            ++cursor_;
+            return;
+        }
+    }
+}
+
+void Evaluator::run_switch(const Token& directive) {
+    ++cursor_;
+    expect(TokenKind::left_paren);
+    const double value = number();
+    expect(TokenKind::right_paren);
+    const Token* branch = &program_->tokens[directive.target];
+    for (; branch->directive == Directive::case_ || branch->directive == Directive::range;
+         branch = &program_->tokens[branch->target]) {
+        cursor_ = branch + 1;
+        expect(TokenKind::left_paren);
+        const double first = number();
+        double last = first;
+        if (branch->directive == Directive::range) {
+            separator();
+            last = number();
+        }
+        expect(TokenKind::right_paren);
+        if (branch->directive == Directive::case_ ? std::abs(value - first) < epsilon : value >= first && value <= last)
+            return;
+    }
+    cursor_ = branch + 1;
+}
+
+void Evaluator::run_while(const Token& directive) {
+    if (condition(directive))
+        loops_.push_back({&directive});
+    else
+        cursor_ = &program_->tokens[directive.index + 1];
+}
+
+void Evaluator::run_for(const Token& directive) {
+    ++cursor_;
+    if (cursor_->kind != TokenKind::left_paren)
+        fail(*cursor_, fmt::format("unexpected '{}'", spelling(*cursor_)), "expected '('");
+    ++cursor_;
+    const Symbol variable = declared_name();
+    const SourceSpan declared = span(cursor_[-1]);
+    separator();
+    const double start = number();
+    Loop loop{.opener = &directive, .variable = variable};
+    separator();
+    loop.end = number();
+    if (accept(TokenKind::comma))
+        loop.step = number();
+    const Token& closing = peek();
+    expect(TokenKind::right_paren);
+    if (!std::isfinite(start) || !std::isfinite(loop.end) || !std::isfinite(loop.step))
+        fail(closing, "the bounds of a loop must be finite");
+    if (std::abs(loop.step) < epsilon)
+        fail(closing, "the step of a loop must not be 0");
+    Binding& binding = scopes_.declare_local(variable);
+    binding.value = Terms(start);
+    binding.declared = declared;
+    binding.used = true;
+    loop.body = cursor_;
+    if (loop.goes_on(start))
+        loops_.push_back(loop);
+    else
+        cursor_ = &program_->tokens[directive.index + 1];
+}
+
+void Evaluator::run_end(const Token& directive) {
+    ++cursor_;
+    const Token& opener = program_->tokens[directive.index];
+    if ((opener.directive != Directive::while_ && opener.directive != Directive::for_) || loops_.empty() ||
+        loops_.back().opener != &opener)
+        return;
+    Loop& loop = loops_.back();
+    if (loop.stopped) {
+        loops_.pop_back();
+        return;
+    }
+    if (opener.directive == Directive::while_) {
+        loops_.pop_back();
+        cursor_ = &opener;
+        return;
+    }
+    // The script may have changed the variable: POV-Ray goes on from what it finds.
+    Binding* binding = scopes_.find(loop.variable);
+    Terms* variable = binding ? std::get_if<Terms>(&binding->value) : nullptr;
+    if (!variable || variable->count != 1)
+        fail(opener, "the variable of this loop is no number any more");
+    variable->value[0] += loop.step;
+    if (loop.goes_on(variable->value[0]))
+        cursor_ = loop.body;
+    else
+        loops_.pop_back();
+}
+
+void Evaluator::leave_loop(const Token& opener) {
+    while (!loops_.empty() && loops_.back().opener != &opener)
+        loops_.pop_back();
+    if (!loops_.empty())
+        loops_.pop_back();
+}
+
+void Evaluator::run_include(const Token& directive) {
+    ++cursor_;
+    const Token& name_token = peek();
+    const std::string name = string();
+    if (frames_.size() >= include_depth_limit)
+        fail(directive, fmt::format("files include each other more than {} deep", include_depth_limit));
+    TokenProgram* program = nullptr;
+    try {
+        program = sources_.program(sources_.files.open_include(name), diagnostics_);
+    } catch (const FileError& error) {
+        fail(name_token, error.what());
+    }
+    if (!program)
+        return;
+    frames_.push_back({program_, cursor_, loops_.size()});
+    scopes_.enter();
+    program_ = program;
+    cursor_ = program->tokens.data();
+}
+
+void Evaluator::end_text() {
+    const Frame frame = frames_.back();
+    frames_.pop_back();
+    scopes_.leave();
+    loops_.resize(frame.loops);
+    program_ = frame.program;
+    cursor_ = frame.return_to;
+}
+
+void Evaluator::run_version(const Token& directive) {
+    ++cursor_;
+    const Token& at = peek();
+    const double version = number();
+    accept(TokenKind::semicolon);
+    if (version > 3.7 + epsilon)
+        fail(at, fmt::format("this is a scene for POV-Ray {}; 3.7 is the newest that Proxima knows", version));
+    if (version < 3.5 - epsilon)
+        fail(at, fmt::format("this is a scene for POV-Ray {}; 3.5 is the oldest that Proxima knows", version));
+    version_ = version;
+    (void)directive;
+}
+
+void Evaluator::run_message(const Token& directive) {
+    ++cursor_;
+    std::string message = string();
+    if (directive.directive == Directive::error)
+        fail(directive, std::move(message));
+    if (directive.directive == Directive::warning)
+        warn(directive, std::move(message));
+}
+
+} // namespace proxima

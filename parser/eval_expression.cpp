@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expressions of numbers and vectors, with POV-Ray's precedence: ?: below & and | (one level), relations (one level),
+// + and -, * and /, signs and !, then .x and the like. Relations and what is below them need parentheses or a
+// directive.
+#include "parser/evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace proxima {
+namespace {
+
+/// Applies `operation` to each pair of terms, after both sides have equally many.
+template <class Operation> void combine(Terms& left, Terms right, Operation operation) {
+    const int count = std::max(left.count, right.count);
+    left.promote(count);
+    right.promote(count);
+    for (int i = 0; i < count; ++i)
+        left.value[i] = operation(left.value[i], right.value[i]);
+}
+
+bool is_true(double value) {
+    return std::abs(value) >= 1e-10;
+}
+
+bool compare(TokenKind relation, double a, double b) {
+    constexpr double epsilon = 1e-10;
+    switch (relation) {
+    case TokenKind::left_angle:
+        return a < b && std::abs(a - b) > epsilon;
+    case TokenKind::right_angle:
+        return a > b && std::abs(a - b) > epsilon;
+    case TokenKind::less_equal:
+        return a <= b + epsilon;
+    case TokenKind::greater_equal:
+        return a + epsilon >= b;
+    case TokenKind::equal:
+        return std::abs(a - b) <= epsilon;
+    default:
+        return std::abs(a - b) > epsilon;
+    }
+}
+
+bool is_relation(TokenKind kind) {
+    return kind == TokenKind::left_angle || kind == TokenKind::right_angle || kind == TokenKind::less_equal ||
+           kind == TokenKind::greater_equal || kind == TokenKind::equal || kind == TokenKind::not_equal;
+}
+
+} // namespace
+
+Terms Evaluator::expression() {
+    const Nesting nesting(*this);
+    Terms condition = logical();
+    const Token& question = peek();
+    if (question.kind != TokenKind::question)
+        return condition;
+    advance();
+    const Terms chosen = expression();
+    expect(TokenKind::colon);
+    const Terms other = expression();
+    if (condition.count != 1)
+        fail(question, "the condition before '?' must be a number");
+    return is_true(condition.value[0]) ? chosen : other;
+}
+
+Terms Evaluator::logical() {
+    Terms left = relation();
+    for (;;) {
+        const TokenKind kind = peek().kind;
+        if (kind == TokenKind::ampersand) {
+            advance();
+            combine(left, relation(), [](double a, double b) { return is_true(a) && is_true(b) ? 1.0 : 0.0; });
+        } else if (kind == TokenKind::bar) {
+            advance();
+            combine(left, relation(), [](double a, double b) { return is_true(a) || is_true(b) ? 1.0 : 0.0; });
+        } else {
+            return left;
+        }
+    }
+}
+
+Terms Evaluator::relation() {
+    if (starts_string())
+        return Terms(string_relation() ? 1.0 : 0.0);
+    Terms left = sum();
+    for (;;) {
+        const Token& token = peek();
+        if (!is_relation(token.kind))
+            return left;
+        advance();
+        const Terms right = sum();
+        if (left.count != 1 || right.count != 1)
+            fail(token, fmt::format("'{}' compares numbers, not vectors", spelling(token)));
+        left = Terms(compare(token.kind, left.value[0], right.value[0]) ? 1.0 : 0.0);
+    }
+}
+
+bool Evaluator::string_relation() {
+    const std::string left = string();
+    const TokenKind kind = peek().kind;
+    if (!is_relation(kind))
+        fail_unexpected("a comparison");
+    advance();
+    if (!starts_string())
+        fail_unexpected("a string");
+    return compare(kind, left.compare(string()), 0);
+}
+
+Terms Evaluator::sum() {
+    Terms left = product();
+    for (;;) {
+        const TokenKind kind = peek().kind;
+        if (kind == TokenKind::plus) {
+            advance();
+            combine(left, product(), [](double a, double b) { return a + b; });
+        } else if (kind == TokenKind::minus) {
+            advance();
+            combine(left, product(), [](double a, double b) { return a - b; });
+        } else {
+            return left;
+        }
+    }
+}
+
+Terms Evaluator::product() {
+    Terms left = factor();
+    for (;;) {
+        const Token& token = peek();
+        if (token.kind == TokenKind::star) {
+            advance();
+            combine(left, factor(), [](double a, double b) { return a * b; });
+        } else if (token.kind == TokenKind::slash) {
+            advance();
+            const Terms right = factor();
+            // A vector is padded with zeros where the other side is longer: POV-Ray warns and goes on with infinity.
+            if (std::find(right.value, right.value + right.count, 0.0) != right.value + right.count ||
+                (right.count > 1 && right.count < left.count))
+                fail(token, "division by zero");
+            combine(left, right, [](double a, double b) { return a / b; });
+        } else {
+            return left;
+        }
+    }
+}
+
+Terms Evaluator::factor() {
+    const Token& token = peek();
+    switch (token.kind) {
+    case TokenKind::number:
+        advance();
+        return Terms(token.number);
+    case TokenKind::name:
+        return name_factor(token);
+    case TokenKind::word: {
+        Terms terms = word_factor(token);
+        access(terms);
+        return terms;
+    }
+    case TokenKind::left_angle: {
+        const Nesting nesting(*this);
+        Terms terms = vector_literal();
+        access(terms);
+        return terms;
+    }
+    case TokenKind::left_paren: {
+        advance();
+        Terms terms = expression();
+        expect(TokenKind::right_paren);
+        access(terms);
+        return terms;
+    }
+    case TokenKind::plus:
+    case TokenKind::minus:
+    case TokenKind::bang: {
+        const Nesting nesting(*this);
+        advance();
+        Terms terms = factor();
+        if (token.kind == TokenKind::minus)
+            std::for_each_n(terms.value, terms.count, [](double& value) { value = -value; });
+        else if (token.kind == TokenKind::bang)
+            std::for_each_n(terms.value, terms.count, [](double& value) { value = is_true(value) ? 0.0 : 1.0; });
+        return terms;
+    }
+    default:
+        fail_unexpected("a number or a vector");
+    }
+}
+
+Terms Evaluator::name_factor(const Token& name) {
+    Binding* binding = lookup(name);
+    const Terms* value = binding ? std::get_if<Terms>(&binding->value) : nullptr;
+    if (!value)
+        fail_unexpected("a number or a vector");
+    Terms terms = *value;
+    advance();
+    if (cursor_->kind >= TokenKind::dot)
+        access(terms);
+    return terms;
+}
+
+Terms Evaluator::vector_literal() {
+    expect(TokenKind::left_angle);
+    Terms terms;
+    terms.count = 0;
+    for (;;) {
+        const Token& at = peek();
+        if (terms.count >= 2 && at.kind == TokenKind::right_angle)
+            break;
+        if (terms.count == 5)
+            fail_unexpected("'>': a vector has at most 5 terms");
+        const double value = number();
+        terms.value[terms.count++] = value;
+        accept(TokenKind::comma);
+    }
+    advance();
+    return terms;
+}
+
+void Evaluator::access(Terms& terms) {
+    if (!accept(TokenKind::dot))
+        return;
+    struct Member {
+        Word word;
+        int index;
+    };
+    static constexpr Member members[] = {{Word::x, 0}, {Word::u, 0},      {Word::red, 0},     {Word::y, 1},
+                                         {Word::v, 1}, {Word::green, 1},  {Word::z, 2},       {Word::blue, 2},
+                                         {Word::t, 3}, {Word::filter, 3}, {Word::transmit, 4}};
+    const Token& token = peek();
+    if (accept(Word::gray)) {
+        if (terms.count < 3)
+            fail(token, "only a color has a gray");
+        terms = Terms(0.297 * terms.value[0] + 0.589 * terms.value[1] + 0.114 * terms.value[2]);
+        return;
+    }
+    for (const Member& member : members) {
+        if (!accept(member.word))
+            continue;
+        if (member.index >= terms.count)
+            fail(token, fmt::format("this vector has {} terms and no .{}", terms.count, spelling(token)));
+        terms = Terms(terms.value[member.index]);
+        return;
+    }
+    fail_unexpected("x, y, z, t, u, v, red, green, blue, filter, transmit or gray");
+}
+
+bool Evaluator::starts_expression() {
+    const Token& token = peek();
+    switch (token.kind) {
+    case TokenKind::number:
+    case TokenKind::left_angle:
+    case TokenKind::left_paren:
+    case TokenKind::plus:
+    case TokenKind::minus:
+    case TokenKind::bang:
+        return true;
+    case TokenKind::name: {
+        const Binding* binding = scopes_.find(token.index);
+        return binding && std::holds_alternative<Terms>(binding->value);
+    }
+    case TokenKind::word:
+        return token.index >= uint32_t(Word::x) && token.index <= uint32_t(Word::val);
+    default:
+        return false;
+    }
+}
+
+double Evaluator::number() {
+    const Token& token = peek();
+    // The commonest number stands alone before a comma or a bracket.
+    if (token.kind == TokenKind::number && (&token)[1].kind == TokenKind::comma) {
+        advance();
+        return token.number;
+    }
+    const SourceSpan place = span(token);
+    const Terms terms = sum();
+    if (terms.count != 1)
+        throw SceneError(place, "a number is needed here, not a vector or color", "take one term of it, like .x");
+    return terms.value[0];
+}
+
+Terms Evaluator::vector_of(int count, const char* what) {
+    const SourceSpan place = span(peek());
+    Terms terms = sum();
+    if (terms.count > count)
+        throw SceneError(place, fmt::format("{} has at most {} terms, this one has {}", what, count, terms.count));
+    terms.promote(count);
+    if (!terms.finite())
+        throw SceneError(place, fmt::format("{} is not finite", what));
+    return terms;
+}
+
+Vec3<double> Evaluator::vector() {
+    return vector_of(3, "a vector").vector();
+}
+
+bool Evaluator::optional_flag(bool value) {
+    return starts_expression() ? is_true(number()) : value;
+}
+
+} // namespace proxima

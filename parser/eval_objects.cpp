@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects: sphere, plane, union and object, and what stands behind their geometry.
+#include "parser/evaluator.h"
+
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <unordered_map>
+
+namespace proxima {
+
+bool Evaluator::starts_object() {
+    const Token& token = peek();
+    if (token.kind == TokenKind::sphere_run)
+        return true;
+    return token.kind == TokenKind::word && token.index <= uint32_t(Word::object);
+}
+
+ShapeRef Evaluator::object() {
+    const Nesting nesting(*this);
+    auto shape = std::make_shared<Shape>();
+    if (peek().kind == TokenKind::sphere_run) {
+        literal_sphere(*shape);
+        return shape;
+    }
+    const Word word = Word(next().index);
+    expect(TokenKind::left_brace);
+    switch (word) {
+    case Word::sphere:
+        sphere(*shape);
+        break;
+    case Word::plane:
+        plane(*shape);
+        break;
+    case Word::union_:
+        union_parts(*shape);
+        break;
+    default:
+        object_reference(*shape);
+    }
+    object_modifiers(*shape);
+    return shape;
+}
+
+void Evaluator::sphere(Shape& shape) {
+    if (const ShapeRef* declared = identifier<ShapeRef>()) {
+        shape = **declared;
+        advance();
+        return;
+    }
+    const Vec3<double> center = vector();
+    separator();
+    const Token& at = peek();
+    const double radius = number();
+    if (!std::isfinite(radius))
+        fail(at, "the radius of a sphere must be finite");
+    if (!(radius > 0))
+        fail(at, fmt::format("the radius of a sphere must be above 0, this one is {}", radius));
+    shape.spheres.push_back({{center, radius}, {}});
+}
+
+void Evaluator::plane(Shape& shape) {
+    if (const ShapeRef* declared = identifier<ShapeRef>()) {
+        shape = **declared;
+        advance();
+        return;
+    }
+    const Token& at = peek();
+    const Vec3<double> normal = vector();
+    separator();
+    const Token& distance_at = peek();
+    const double distance = number();
+    const double length = glm::length(normal);
+    if (!(length > 0))
+        fail(at, "the normal of a plane must have a length");
+    if (!std::isfinite(distance))
+        fail(distance_at, "the distance of a plane must be finite");
+    shape.planes.push_back({{normal / length, distance, 0}, {}});
+}
+
+void Evaluator::union_parts(Shape& shape) {
+    if (const ShapeRef* declared = identifier<ShapeRef>()) {
+        shape = **declared;
+        advance();
+        return;
+    }
+    const auto append = [](auto& parts, const auto& more) { parts.insert(parts.end(), more.begin(), more.end()); };
+    while (starts_object()) {
+        Shape part = *object();
+        part.dress_parts();
+        append(shape.spheres, part.spheres);
+        append(shape.ellipsoids, part.ellipsoids);
+        append(shape.planes, part.planes);
+    }
+    if (shape.spheres.empty() && shape.ellipsoids.empty() && shape.planes.empty())
+        fail_unexpected("an object: a union has one or more");
+}
+
+void Evaluator::object_reference(Shape& shape) {
+    if (const ShapeRef* declared = identifier<ShapeRef>()) {
+        shape = **declared;
+        advance();
+    } else if (starts_object()) {
+        shape = *object();
+    } else {
+        fail_unexpected("the name of a declared object");
+    }
+}
+
+void Evaluator::transform_object(Shape& shape, const TransformPair& transform) {
+    transform_shape(shape, transform.map, transform.inverse, builder_);
+}
+
+/// What follows an object's geometry, to the closing brace. The order matters: a transform moves what stands before it.
+void Evaluator::object_modifiers(Shape& shape) {
+    Surface& own = shape.own;
+    for (;;) {
+        const Token& token = peek();
+        TransformPair transform;
+        if (accept(TokenKind::right_brace)) {
+            return;
+        } else if (accept(Word::texture)) {
+            own.texture = layered(own.texture, texture().index);
+        } else if (accept(Word::pigment)) {
+            own.texture = with_pigment(own.texture == Surface::none ? default_texture_ : own.texture);
+        } else if (accept(Word::finish)) {
+            own.texture = with_finish(own.texture == Surface::none ? default_texture_ : own.texture);
+        } else if (accept(Word::interior)) {
+            own.interior = interior(own.interior == Surface::none ? 0 : own.interior).index;
+        } else if (accept(Word::material)) {
+            const MaterialValue value = material();
+            if (value.texture != Surface::none)
+                own.texture = layered(own.texture, value.texture);
+            if (value.interior != Surface::none)
+                own.interior = value.interior;
+        } else if (accept(Word::no_shadow)) {
+            own.no_shadow = true;
+        } else if (accept(Word::hollow)) {
+            optional_flag(true); // matters to media and fog alone
+        } else if (accept(Word::split_union)) {
+            optional_flag(true); // matters to POV-Ray's bounding boxes alone
+        } else if (transform_item(transform)) {
+            transform_object(shape, transform);
+            (void)token;
+        } else {
+            fail_unexpected("texture, pigment, finish, interior, a transform or '}'");
+        }
+    }
+}
+
+/// Takes one sphere of the run under the cursor.
+void Evaluator::literal_sphere(Shape& shape) {
+    const SphereRun& run = program_->runs[peek().index];
+    shape.spheres.push_back({run.spheres[run_position_], {}});
+    shape.own.texture = literal_texture(run, run_position_);
+    if (++run_position_ == run.spheres.size()) {
+        run_position_ = 0;
+        advance();
+    }
+}
+
+uint32_t Evaluator::literal_texture(const SphereRun& run, size_t index) {
+    const Symbol name = run.textures[index];
+    if (name == SphereRun::no_texture)
+        return Surface::none;
+    Binding* binding = scopes_.find(name);
+    const TextureRef* texture = binding ? std::get_if<TextureRef>(&binding->value) : nullptr;
+    if (texture) {
+        binding->used = true;
+        return texture->index;
+    }
+    // A run keeps no places: find the name behind the run's beginning.
+    const std::string_view spelled = sources_.symbols.name(name);
+    const std::string_view text = sources_.files.text(program_->file);
+    Token token = *cursor_;
+    size_t at = text.find(spelled, token.offset);
+    const auto part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    while (at != std::string_view::npos && (part_of_name(text[at - 1]) || (at + spelled.size() < text.size() &&
+                                                                           part_of_name(text[at + spelled.size()]))))
+        at = text.find(spelled, at + 1);
+    token.offset = uint32_t(at);
+    token.length = uint16_t(spelled.size());
+    if (binding)
+        fail(token, fmt::format("unexpected '{}', which is {}", spelled, value_description(binding->value)),
+             "expected the name of a texture");
+    const std::string near = suggestion(spelled);
+    fail(token, fmt::format("'{}' is not declared", spelled), near.empty() ? "expected the name of a texture" : near);
+}
+
+/// Moves the rest of the run under the cursor into the scene.
+void Evaluator::emit_sphere_run() {
+    SphereRun& run = program_->runs[cursor_->index];
+    SceneProgram& scene = builder_.program();
+    Symbol last = SphereRun::no_texture;
+    uint32_t material = builder_.material({}, default_texture_);
+    std::unordered_map<Symbol, uint32_t> materials{{last, material}};
+    scene.spheres.insert(scene.spheres.end(), run.spheres.begin() + std::ptrdiff_t(run_position_), run.spheres.end());
+    for (size_t i = run_position_; i < run.spheres.size(); ++i) {
+        if (run.textures[i] != last) {
+            last = run.textures[i];
+            const auto known = materials.find(last);
+            material = known != materials.end()
+                           ? known->second
+                           : builder_.material({.texture = literal_texture(run, i)}, default_texture_);
+            materials.emplace(last, material);
+        }
+        scene.sphere_materials.push_back(material);
+    }
+    run_position_ = 0;
+    // Nothing comes back to the scene file's own runs outside of loops.
+    if (settings_.last_evaluation && frames_.empty() && loops_.empty())
+        run = SphereRun();
+    advance();
+}
+
+} // namespace proxima

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces: pigment, texture, interior and material. A block starts from what is there already: a declared one, the
+// object's own, or #default's.
+#include "parser/evaluator.h"
+
+#include <fmt/format.h>
+
+namespace proxima {
+namespace {
+
+PigmentColor pigment_color(const Terms& terms) {
+    const double* v = terms.value;
+    return {{float(v[0]), float(v[1]), float(v[2])}, float(v[3]), float(v[4])};
+}
+
+} // namespace
+
+/// `pigment { ... }` after its word; `base` is what the block changes.
+PigmentRef Evaluator::pigment(uint32_t base) {
+    expect(TokenKind::left_brace);
+    PigmentValue value = builder_.pigment(base);
+    if (const PigmentRef* declared = identifier<PigmentRef>()) {
+        value = builder_.pigment(declared->index);
+        advance();
+    }
+    TransformPair transform;
+    for (;;) {
+        if (accept(Word::checker)) {
+            value = {};
+            value.pigment.kind = PigmentKind::checker;
+            value.pigment.color.rgb = {0, 0, 1}; // POV-Ray's checker is blue and green unless told
+            value.pigment.second_color.rgb = {0, 1, 0};
+            if (starts_color() || starts_expression()) {
+                value.pigment.color = pigment_color(color());
+                accept(TokenKind::comma);
+                if (starts_color() || starts_expression())
+                    value.pigment.second_color = pigment_color(color());
+            }
+        } else if (accept(Word::quick_color) || accept(Word::quick_colour)) {
+            color(); // used by POV-Ray's previews alone
+        } else if (starts_color() || starts_expression()) {
+            value = {};
+            value.pigment.color = pigment_color(color());
+        } else if (!transform_item(transform)) {
+            break;
+        }
+    }
+    if (!accept(TokenKind::right_brace))
+        fail_unexpected("a color, checker, a transform or '}'");
+    value.pattern_from_world = compose(value.pattern_from_world, transform.inverse);
+    return {builder_.add_pigment(value)};
+}
+
+/// `interior { ... }` after its word.
+InteriorRef Evaluator::interior(uint32_t base) {
+    expect(TokenKind::left_brace);
+    Interior value = builder_.interior(base);
+    if (const InteriorRef* declared = identifier<InteriorRef>()) {
+        value = builder_.interior(declared->index);
+        advance();
+    }
+    for (;;) {
+        const Token& token = peek();
+        if (accept(Word::ior)) {
+            value.ior = float(number());
+            if (!(value.ior > 0))
+                fail(token, "ior must be above 0");
+        } else if (accept(Word::fade_distance)) {
+            value.fade_distance = float(number());
+        } else if (accept(Word::fade_power)) {
+            value.fade_power = float(number());
+        } else if (accept(Word::fade_color) || accept(Word::fade_colour)) {
+            value.fade_color = rgb_color();
+        } else if (accept(Word::caustics)) {
+            if (number() != 0)
+                fail(token, "Proxima does not support 'caustics'", "leave it out or set it to 0");
+        } else {
+            break;
+        }
+    }
+    if (!accept(TokenKind::right_brace))
+        fail_unexpected("ior, fade_distance, fade_power, fade_color or '}'");
+    return {builder_.add_interior(value)};
+}
+
+/// `above` laid over `below`, which may be Surface::none.
+uint32_t Evaluator::layered(uint32_t below, uint32_t above) {
+    if (below == Surface::none)
+        return above;
+    std::vector<Layer> layers = builder_.texture(below);
+    const std::vector<Layer> upper = builder_.texture(above);
+    layers.insert(layers.end(), upper.begin(), upper.end());
+    return builder_.add_texture(layers);
+}
+
+/// Reads a pigment block and puts it into the texture.
+uint32_t Evaluator::with_pigment(uint32_t texture) {
+    std::vector<Layer> layers = builder_.texture(texture);
+    if (layers.size() > 1)
+        fail_unexpected("a whole texture: this one has several layers");
+    layers.back().pigment = pigment(layers.back().pigment).index;
+    return builder_.add_texture(layers);
+}
+
+uint32_t Evaluator::with_finish(uint32_t texture) {
+    std::vector<Layer> layers = builder_.texture(texture);
+    if (layers.size() > 1)
+        fail_unexpected("a whole texture: this one has several layers");
+    layers.back().finish = finish(layers.back().finish).index;
+    return builder_.add_texture(layers);
+}
+
+/// Reads a pigment, finish or transform of a texture, if the next token begins one.
+bool Evaluator::texture_item(uint32_t& texture) {
+    TransformPair transform;
+    if (accept(Word::pigment))
+        texture = with_pigment(texture);
+    else if (accept(Word::finish))
+        texture = with_finish(texture);
+    else if (transform_item(transform))
+        texture = builder_.transform_texture(texture, transform.inverse);
+    else
+        return false;
+    return true;
+}
+
+/// `texture { ... }` after its word.
+TextureRef Evaluator::texture() {
+    expect(TokenKind::left_brace);
+    uint32_t texture = default_texture_;
+    if (const TextureRef* declared = identifier<TextureRef>()) {
+        texture = declared->index;
+        advance();
+    }
+    while (texture_item(texture)) {
+    }
+    if (!accept(TokenKind::right_brace))
+        fail_unexpected("pigment, finish, a transform or '}'");
+    return {texture};
+}
+
+/// `material { ... }` after its word.
+MaterialValue Evaluator::material() {
+    expect(TokenKind::left_brace);
+    MaterialValue value;
+    if (const MaterialValue* declared = identifier<MaterialValue>()) {
+        value = *declared;
+        advance();
+    }
+    for (;;) {
+        TransformPair transform;
+        if (accept(Word::texture))
+            value.texture = layered(value.texture, texture().index);
+        else if (accept(Word::interior))
+            value.interior = interior(value.interior == Surface::none ? 0 : value.interior).index;
+        else if (!transform_item(transform))
+            break;
+        else if (value.texture != Surface::none)
+            value.texture = builder_.transform_texture(value.texture, transform.inverse);
+    }
+    if (!accept(TokenKind::right_brace))
+        fail_unexpected("texture, interior, a transform or '}'");
+    return value;
+}
+
+} // namespace proxima

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The evaluator's stream of tokens and the messages about what stands in it.
+#include "parser/evaluator.h"
+
+#include <fmt/format.h>
+
+namespace proxima {
+namespace {
+
+const char* kind_spelling(TokenKind kind) {
+    switch (kind) {
+    case TokenKind::left_brace:
+        return "{";
+    case TokenKind::right_brace:
+        return "}";
+    case TokenKind::left_paren:
+        return "(";
+    case TokenKind::right_paren:
+        return ")";
+    case TokenKind::left_bracket:
+        return "[";
+    case TokenKind::right_bracket:
+        return "]";
+    case TokenKind::left_angle:
+        return "<";
+    case TokenKind::right_angle:
+        return ">";
+    case TokenKind::equal:
+        return "=";
+    case TokenKind::comma:
+        return ",";
+    case TokenKind::semicolon:
+        return ";";
+    case TokenKind::colon:
+        return ":";
+    default:
+        return "?";
+    }
+}
+
+} // namespace
+
+Evaluator::Nesting::Nesting(Evaluator& evaluator) : evaluator(evaluator) {
+    if (evaluator.nesting_ >= nesting_limit)
+        evaluator.fail(*evaluator.cursor_, fmt::format("this is nested more than {} deep", nesting_limit));
+    ++evaluator.nesting_;
+}
+
+bool Evaluator::accept(TokenKind kind) {
+    if (peek().kind != kind)
+        return false;
+    advance();
+    return true;
+}
+
+bool Evaluator::peek_is(Word word) {
+    const Token& token = peek();
+    return token.kind == TokenKind::word && token.index == uint32_t(word);
+}
+
+bool Evaluator::accept(Word word) {
+    if (!peek_is(word))
+        return false;
+    advance();
+    return true;
+}
+
+void Evaluator::expect(TokenKind kind) {
+    if (!accept(kind))
+        fail_unexpected(fmt::format("'{}'", kind_spelling(kind)));
+}
+
+std::string_view Evaluator::spelling(const Token& token) const {
+    return sources_.files.text(program_->file).substr(token.offset, token.length);
+}
+
+SourceSpan Evaluator::span(const Token& token) const {
+    return {{program_->file, token.offset}, token.length};
+}
+
+void Evaluator::fail(const Token& token, std::string message, std::string hint) const {
+    throw SceneError(span(token), std::move(message), std::move(hint));
+}
+
+void Evaluator::warn(const Token& token, std::string message, std::string hint) {
+    diagnostics_.warning(span(token), std::move(message), std::move(hint));
+}
+
+void Evaluator::fail_unexpected(const std::string& expected) {
+    const Token& token = peek();
+    const std::string hint = "expected " + expected;
+    const std::string_view text = spelling(token);
+    switch (token.kind) {
+    case TokenKind::end_of_text:
+        fail(token, "the scene ends here", hint);
+    case TokenKind::sphere_run:
+        fail(token, "unexpected 'sphere'", hint);
+    case TokenKind::word:
+        if (token.index >= uint32_t(Word::first_unsupported)) {
+            const std::string_view advice = word_advice(text);
+            fail(token, fmt::format("Proxima does not support '{}'", text),
+                 advice.empty() ? hint : std::string(advice));
+        }
+        break;
+    case TokenKind::name:
+        if (const Binding* binding = scopes_.find(token.index))
+            fail(token, fmt::format("unexpected '{}', which is {}", text, value_description(binding->value)), hint);
+        if (const std::string near = suggestion(text); !near.empty())
+            fail(token, fmt::format("'{}' is not declared", text), near);
+        fail(token, fmt::format("'{}' is not declared", text), hint);
+    default:
+        break;
+    }
+    fail(token, fmt::format("unexpected '{}'", text), hint);
+}
+
+void Evaluator::fail_steps() {
+    // The innermost loop is the one that does not end, as a rule.
+    const Token& token = loops_.empty() ? *cursor_ : *loops_.back().opener;
+    fail(token, fmt::format("the scene takes more than {} steps to evaluate", settings_.step_limit),
+         loops_.empty() ? "" : "does this loop end?");
+}
+
+std::string Evaluator::suggestion(std::string_view name) const {
+    std::vector<std::string_view> candidates;
+    for (Symbol symbol = 0; symbol < scopes_.bindings().size(); ++symbol)
+        if (!scopes_.bindings()[symbol].empty())
+            candidates.push_back(sources_.symbols.name(symbol));
+    for (Symbol symbol = 0; symbol < uint32_t(Word::first_unsupported); ++symbol)
+        candidates.push_back(sources_.symbols.name(symbol));
+    const std::string near = nearest_name(name, candidates);
+    return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+}
+
+} // namespace proxima

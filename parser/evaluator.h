@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs token programs: a recursive-descent reader of the scene language whose next token may be a directive, which it
+// runs first. In goes a ScriptSources, out comes a SceneProgram. The methods are defined by topic in the eval_*.cpp.
+#pragma once
+#include "parser/affine_math.h"
+#include "parser/diagnostics.h"
+#include "parser/random_streams.h"
+#include "parser/scene_builder.h"
+#include "parser/scene_script.h"
+#include "parser/scopes.h"
+#include "parser/script_sources.h"
+#include "parser/words.h"
+
+#include <unordered_set>
+
+namespace proxima {
+
+class Evaluator {
+public:
+    Evaluator(ScriptSources& sources, const EvaluationSettings& settings, Diagnostics& diagnostics);
+
+    /// Evaluates the scene file (file 0). Mistakes go to the diagnostics; the result is then incomplete.
+    SceneProgram run();
+
+private:
+    static constexpr double epsilon = 1e-10; ///< POV-Ray's tolerance of comparisons
+    static constexpr size_t include_depth_limit = 100;
+    static constexpr size_t nesting_limit = 200; ///< of expressions and objects
+
+    /// A text that is being read, and where its caller goes on.
+    struct Frame {
+        TokenProgram* program;
+        const Token* return_to;
+        size_t loops;
+    };
+    struct Loop {
+        const Token* opener;
+        const Token* body = nullptr; ///< the rest is #for's
+        Symbol variable = 0;
+        double end = 0;
+        double step = 1;
+        bool stopped = false; ///< after a mistake: ends at its #end
+
+        bool goes_on(double value) const; ///< #for: whether the body runs with this value of the variable
+    };
+    /// Counts how deep the reader stands in itself.
+    struct Nesting {
+        Evaluator& evaluator;
+        explicit Nesting(Evaluator& evaluator);
+        Nesting(const Nesting&) = delete;
+        ~Nesting() { --evaluator.nesting_; }
+    };
+
+    // eval_tokens.cpp: the stream of tokens
+    const Token& peek() {
+        while (cursor_->kind >= TokenKind::directive && !at_end())
+            run_directive();
+        return *cursor_;
+    }
+    const Token& next() {
+        const Token& token = peek();
+        advance();
+        return token;
+    }
+    bool at_end() const { return cursor_->kind == TokenKind::end_of_text && frames_.empty(); }
+    void advance() {
+        ++cursor_;
+        directives_at_last_token_ = directives_run_;
+        if (++steps_ > settings_.step_limit)
+            fail_steps();
+    }
+    bool accept(TokenKind kind);
+    bool accept(Word word);
+    bool peek_is(Word word);
+    void expect(TokenKind kind);
+    std::string_view spelling(const Token& token) const;
+    SourceSpan span(const Token& token) const;
+    [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {}) const;
+    [[noreturn]] void fail_unexpected(const std::string& expected);
+    [[noreturn]] void fail_steps();
+    std::string suggestion(std::string_view name) const;
+    void warn(const Token& token, std::string message, std::string hint = {});
+
+    // eval_directives.cpp
+    void run_directive();
+    void run_if(const Token& directive);
+    bool condition(const Token& directive);
+    void run_switch(const Token& directive);
+    void run_while(const Token& directive);
+    void run_for(const Token& directive);
+    void run_end(const Token& directive);
+    void leave_loop(const Token& opener);
+    void run_include(const Token& directive);
+    void end_text();
+    void run_version(const Token& directive);
+    void run_message(const Token& directive);
+
+    // eval_declare.cpp
+    void predeclare();
+    void predeclare(std::string_view name, Value value);
+    void declare_from_command_line(const std::string& name, const std::string& text);
+    void run_declare(const Token& directive);
+    void run_undef();
+    void run_default();
+    Symbol declared_name();
+    Value right_hand_side();
+    Binding* lookup(const Token& name);
+    /// The value of the next token if that is a name of this kind; the token stays.
+    template <class T> const T* identifier() {
+        const Token& token = peek();
+        const Binding* binding = token.kind == TokenKind::name ? lookup(token) : nullptr;
+        return binding ? std::get_if<T>(&binding->value) : nullptr;
+    }
+
+    // eval_expression.cpp
+    Terms expression(); ///< with relations, & | and ?:
+    Terms logical();
+    Terms relation();
+    bool string_relation();
+    Terms sum();
+    Terms product();
+    Terms factor();
+    Terms name_factor(const Token& name);
+    Terms word_factor(const Token& word);
+    Terms vector_literal();
+    void access(Terms& terms);
+    bool starts_expression();
+    double number();
+    Vec3<double> vector();
+    Terms vector_of(int count, const char* what);
+    bool optional_flag(bool value); ///< on, off, or nothing
+
+    // eval_functions.cpp
+    Terms call_function(const Token& word);
+    double argument();
+    void separator();
+    double checked(const Token& at, double value);
+
+    // eval_strings.cpp
+    bool starts_string();
+    std::string string();
+    double string_function(const Token& word);
+
+    // eval_color.cpp
+    bool starts_color();
+    Terms color();
+    glm::vec3 rgb_color();
+
+    // eval_texture.cpp
+    PigmentRef pigment(uint32_t base);
+    FinishRef finish(uint32_t base);
+    void reflection(Finish& finish);
+    InteriorRef interior(uint32_t base);
+    TextureRef texture();
+    MaterialValue material();
+    bool texture_item(uint32_t& texture);
+    uint32_t with_pigment(uint32_t texture);
+    uint32_t with_finish(uint32_t texture);
+    uint32_t layered(uint32_t below, uint32_t above);
+
+    // eval_transform.cpp
+    bool transform_item(TransformPair& result);
+    TransformPair transform_block();
+    Affine<double> matrix();
+
+    // eval_objects.cpp
+    bool starts_object();
+    ShapeRef object();
+    void sphere(Shape& shape);
+    void literal_sphere(Shape& shape);
+    void plane(Shape& shape);
+    void union_parts(Shape& shape);
+    void object_reference(Shape& shape);
+    void object_modifiers(Shape& shape);
+    void transform_object(Shape& shape, const TransformPair& transform);
+    void emit_sphere_run();
+    uint32_t literal_texture(const SphereRun& run, size_t index);
+
+    // eval_camera.cpp, eval_lights.cpp, eval_settings.cpp
+    Camera<double> camera();
+    Light<double> light_source();
+    void background();
+    void global_settings();
+    void assumed_gamma();
+    double encode_working(double linear);
+    void finish_settings();
+
+    // evaluator.cpp
+    bool item();
+    void recover();
+    void note_unused();
+
+    ScriptSources& sources_;
+    const EvaluationSettings& settings_;
+    Diagnostics& diagnostics_;
+    SceneBuilder builder_;
+    Scopes scopes_;
+    RandomStreams random_;
+
+    TokenProgram* program_ = nullptr;
+    const Token* cursor_ = nullptr;
+    size_t run_position_ = 0; ///< spheres already taken from the run under the cursor
+    std::vector<Frame> frames_;
+    std::vector<Loop> loops_;
+    const Token* item_start_ = nullptr;
+    size_t item_frames_ = 0;
+    bool in_item_ = false;
+    uint64_t steps_ = 0;
+    uint64_t directives_run_ = 0;
+    uint64_t directives_at_last_token_ = 0;
+    size_t nesting_ = 0;
+    size_t includes_ = 0;
+
+    uint32_t default_texture_ = 0;
+    double version_ = 3.62; ///< what POV-Ray 3.7 takes for a scene that does not say
+    bool has_assumed_gamma_ = false;
+    bool has_camera_ = false;
+    bool depends_on_time_ = false;
+    std::unordered_set<Symbol> time_names_;
+    std::unordered_set<Symbol> failed_names_; ///< a mistake stands in their declaration
+};
+
+} // namespace proxima

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which value a name has. As in POV-Ray, scopes are dynamic: a file or macro sees the names of whoever called it.
+#pragma once
+#include "parser/diagnostics.h"
+#include "parser/symbols.h"
+#include "parser/value.h"
+
+#include <vector>
+
+namespace proxima {
+
+struct Binding {
+    Value value;
+    SourceSpan declared;
+    uint32_t scope = 0;
+    bool used = false;
+    bool predeclared = false;
+};
+
+class Scopes {
+public:
+    void enter() { ++scope_; }
+    void leave();
+    uint32_t depth() const { return scope_; }
+
+    /// The innermost binding of a name, or nullptr. Valid until the next declaration.
+    Binding* find(Symbol symbol) {
+        return symbol < bindings_.size() && !bindings_[symbol].empty() ? &bindings_[symbol].back() : nullptr;
+    }
+    /// #declare: changes the innermost binding, or makes a global one.
+    Binding& declare(Symbol symbol);
+    /// #local: changes the current scope's binding, or makes it.
+    Binding& declare_local(Symbol symbol);
+    void undefine(Symbol symbol);
+
+    const std::vector<std::vector<Binding>>& bindings() const { return bindings_; }
+
+private:
+    std::vector<Binding>& stack(Symbol symbol);
+
+    std::vector<std::vector<Binding>> bindings_; // by symbol; the innermost is the last
+    std::vector<Symbol> locals_;                 // names with a binding in a scope above 0, in order
+    uint32_t scope_ = 0;
+};
+
+} // namespace proxima

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "parser/value.h"
+
+namespace proxima {
+
+void Surface::inherit(const Surface& outer) {
+    if (texture == none)
+        texture = outer.texture;
+    if (interior == none)
+        interior = outer.interior;
+    no_shadow = no_shadow || outer.no_shadow;
+}
+
+void Shape::dress_parts() {
+    for (auto& part : spheres)
+        part.surface.inherit(own);
+    for (auto& part : ellipsoids)
+        part.surface.inherit(own);
+    for (auto& part : planes)
+        part.surface.inherit(own);
+}
+
+const char* value_description(const Value& value) {
+    struct Describe {
+        const char* operator()(std::monostate) const { return "nothing"; }
+        const char* operator()(const Terms& terms) const {
+            return terms.count == 1 ? "a number" : terms.count == 5 ? "a color" : "a vector";
+        }
+        const char* operator()(const std::string&) const { return "a string"; }
+        const char* operator()(PigmentRef) const { return "a pigment"; }
+        const char* operator()(FinishRef) const { return "a finish"; }
+        const char* operator()(InteriorRef) const { return "an interior"; }
+        const char* operator()(TextureRef) const { return "a texture"; }
+        const char* operator()(const MaterialValue&) const { return "a material"; }
+        const char* operator()(const ShapeRef&) const { return "an object"; }
+        const char* operator()(const LightRef&) const { return "a light source"; }
+        const char* operator()(const CameraRef&) const { return "a camera"; }
+        const char* operator()(const TransformRef&) const { return "a transform"; }
+    };
+    return std::visit(Describe{}, value);
+}
+
+} // namespace proxima

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a declared name can stand for. Surfaces are indices into the tables of the scene being built: they cost nothing
+// to copy, and equal ones are the same.
+#pragma once
+#include "kernels/camera.h"
+#include "kernels/light.h"
+#include "kernels/vector_math.h"
+#include "parser/affine_math.h"
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace proxima {
+
+/// A number or a vector of 2 to 5 terms; five are a colour: red, green, blue, filter, transmit. Unused terms are 0.
+struct Terms {
+    double value[5] = {};
+    int count = 1;
+
+    Terms() = default;
+    Terms(double number) : value{number} {}
+    Terms(const Vec3<double>& v) : value{v.x, v.y, v.z}, count(3) {}
+
+    /// The terms as a vector; a number stands for all of them.
+    Vec3<double> vector() const {
+        return count == 1 ? Vec3<double>(value[0]) : Vec3<double>(value[0], value[1], value[2]);
+    }
+    /// Makes `count` terms of fewer: a number is repeated, a vector is padded with 0.
+    void promote(int new_count) {
+        if (count == 1)
+            for (int i = 1; i < new_count; ++i)
+                value[i] = value[0];
+        count = new_count;
+    }
+    bool finite() const {
+        for (int i = 0; i < count; ++i)
+            if (!std::isfinite(value[i]))
+                return false;
+        return true;
+    }
+};
+
+// Indices into SceneProgram, or into a table of the SceneBuilder (textures).
+struct PigmentRef {
+    uint32_t index = 0;
+};
+struct FinishRef {
+    uint32_t index = 0;
+};
+struct InteriorRef {
+    uint32_t index = 0;
+};
+struct TextureRef {
+    uint32_t index = 0;
+};
+
+/// What a primitive wears. `none` is what a surrounding union or the default may still give.
+struct Surface {
+    static constexpr uint32_t none = 0xffffffffu;
+
+    uint32_t texture = none;
+    uint32_t interior = none;
+    bool no_shadow = false;
+
+    /// Fills in what is missing here.
+    void inherit(const Surface& outer);
+};
+
+struct MaterialValue {
+    uint32_t texture = Surface::none;
+    uint32_t interior = Surface::none;
+};
+
+template <class Geometry> struct Dressed {
+    Geometry geometry;
+    Surface surface;
+};
+
+/// An object: a sphere, a plane, or a union of any number of them, flat.
+struct Shape {
+    std::vector<Dressed<Sphere<double>>> spheres;
+    std::vector<Dressed<Affine<double>>> ellipsoids; ///< the map of the unit sphere into the world
+    std::vector<Dressed<Plane<double>>> planes;
+    Surface own; ///< the object's own: for those of its parts that have none
+
+    /// Gives the own surface to the parts that lack one.
+    void dress_parts();
+};
+
+using ShapeRef = std::shared_ptr<const Shape>;
+using LightRef = std::shared_ptr<const Light<double>>;
+using CameraRef = std::shared_ptr<const Camera<double>>;
+using TransformRef = std::shared_ptr<const TransformPair>;
+
+using Value = std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef,
+                           MaterialValue, ShapeRef, LightRef, CameraRef, TransformRef>;
+
+/// "a number", "a texture", ...: for messages.
+const char* value_description(const Value& value);
+
+} // namespace proxima
