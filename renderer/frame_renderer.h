@@ -44,7 +44,7 @@ public:
     /// The device as `proxima devices` names it: "cpu" or "cuda:0".
     virtual std::string name() const = 0;
     /// Takes over a scene, converted to `precision`; it is rendered by every render() until the next call.
-    virtual void set_scene(const SceneProgram& scene, Precision precision = Precision::float32) = 0;
+    virtual void set_scene(const SceneProgram& scene, Precision precision) = 0;
     /// Renders the scene into `image`, which is resized to fit. `settings.precision` must be the scene's.
     virtual FrameStatistics render(const FrameSettings& settings, Image& image) = 0;
 };

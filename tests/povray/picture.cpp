@@ -19,7 +19,7 @@ Picture16 read_picture16(const std::filesystem::path& path) {
     Picture16 picture{spec.width, spec.height, {}};
     picture.rgb.resize(size_t(spec.width) * size_t(spec.height) * 3);
     // A truncated file reads as black pixels and a pending error.
-    if (!input->read_image(OIIO::TypeDesc::UINT16, picture.rgb.data()) || input->has_error())
+    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT16, picture.rgb.data()) || input->has_error())
         throw std::runtime_error(path.string() + ": " + input->geterror());
     return picture;
 }

@@ -101,7 +101,7 @@ TEST_CASE("povray: every example looks as in POV-Ray") {
         try {
             table += compare_scene(scene, excused == history.end() ? std::vector<Pixel>{} : excused->second);
         } catch (const std::exception& error) {
-            FAIL_CHECK(error.what());
+            FAIL_CHECK(std::string(error.what()));
         }
     }
     std::ofstream("table.txt") << table;
