@@ -46,6 +46,7 @@ OIIO::TypeDesc file_type(SampleType type) {
 OIIO::ImageSpec describe(const EncodeRequest& request) {
     OIIO::ImageSpec spec(int(request.width), int(request.height), 3, file_type(request.type));
     spec.attribute("Software", request.software);
+    spec.attribute("DateTime", ""); // unset, EXR and TIFF get the present time
     if (!request.color_encoding.empty())
         spec.attribute("oiio:ColorSpace", request.color_encoding);
     switch (request.format) {

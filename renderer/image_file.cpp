@@ -14,7 +14,14 @@ namespace {
 
 constexpr float largest_half = 65504.0f; // beyond it a half is infinite
 
+/// Libraries deep below OpenImageIO. The loader looks for each of 150,000 symbols in every library of what is being
+/// opened together, so opening these on their own first nearly halves the time (0.25 s to 0.14 s). One that has another
+/// version is passed over.
+constexpr const char* opened_first[] = {"libdcmdata.so.17", "libopencv_imgcodecs.so.406", "libopenvdb.so.10.0"};
+
 EncodeImage* load_encoder() {
+    for (const char* library : opened_first)
+        ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
     void* module = ::dlopen(encoder_module, RTLD_LAZY | RTLD_LOCAL);
     void* function = module ? ::dlsym(module, encoder_function) : nullptr;
     if (!function)

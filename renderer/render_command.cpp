@@ -21,18 +21,21 @@ namespace {
 std::unique_ptr<FrameRenderer> make_renderer(const DeviceChoice& choice, unsigned threads) {
     if (choice.kind == DeviceChoice::Kind::cpu)
         return make_cpu_renderer(threads);
-    if (choice.kind == DeviceChoice::Kind::cuda)
-        return make_cuda_renderer(choice.ordinal);
     std::string reason;
-    if (!list_cuda_devices(reason).empty()) {
-        try {
-            return make_cuda_renderer(0);
-        } catch (const DeviceError& error) {
-            if (error.kind != DeviceError::Kind::unavailable)
-                throw;
-        }
+    if (choice.kind == DeviceChoice::Kind::automatic && list_cuda_devices(reason).empty())
+        return make_cpu_renderer(threads);
+    try {
+        return make_cuda_renderer(choice.ordinal);
+    } catch (const DeviceError& error) {
+        if (error.kind != DeviceError::Kind::unavailable)
+            throw;
+        if (choice.kind == DeviceChoice::Kind::automatic)
+            return make_cpu_renderer(threads);
+        throw UsageError(
+            fmt::format("--device cuda:{}: {}; `proxima devices` lists what there is, and --device cpu always "
+                        "works",
+                        choice.ordinal, error.what()));
     }
-    return make_cpu_renderer(threads);
 }
 
 void check_outputs(const RenderOptions& options) {
@@ -114,7 +117,7 @@ void render_command(const RenderOptions& options) {
         const bool is_first = !writer;
         if (scene.load(frame) || is_first) {
             run.spheres = scene.program().spheres.size() + scene.program().ellipsoids.size();
-            renderer->set_scene(scene.program());
+            renderer->set_scene(scene.program(), options.frame.precision);
             scene.release_program();
         }
         if (is_first) { // loading it beside the first frame's rendering hides what it costs

@@ -5,7 +5,9 @@
 
 namespace proxima {
 
-/// While it lives, the first SIGINT or SIGTERM is only remembered; a second one ends the process as usual.
+/// While it lives, the first SIGINT or SIGTERM is only remembered, as are those that come with it (`timeout` and farms
+/// send several). One that comes a second later or more ends the process as usual. A file that grows past the process's
+/// limit is an error for the one who writes it, not a signal.
 class StopSignal {
 public:
     StopSignal();
@@ -17,7 +19,7 @@ public:
     int caught() const;
 
 private:
-    struct sigaction old_interrupt_, old_terminate_;
+    struct sigaction old_interrupt_, old_terminate_, old_file_size_;
 };
 
 } // namespace proxima

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a user meets it: arguments in, files, messages and the documented exit codes out.
+#include "tests/process.h"
+
+#include <OpenImageIO/imageio.h>
+#include <array>
+#include <chrono>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+using namespace proxima::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* still_scene = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.18, 0.5, 0.05> }
+camera { location <0, 0, -3> look_at 0 }
+light_source { <-5, 5, -5>, rgb 1 }
+sphere { 0, 0.5 pigment { rgb <1, 0.3, 0.2> } }
+)";
+
+constexpr const char* moving_scene = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -3> look_at 0 }
+light_source { <-5, 5, -5>, rgb 1 }
+sphere { <clock, 0, 0>, 0.5 pigment { rgb <1, 0.3, 0.2> } }
+)";
+
+/// A folder with two scenes in it, gone with the test.
+struct Workplace {
+    fs::path folder = fs::absolute("program_test");
+
+    Workplace() {
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+        write("still.scn", still_scene);
+        write("moving.scn", moving_scene);
+    }
+    ~Workplace() { fs::remove_all(folder); }
+
+    void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+
+    ProcessResult run(std::vector<std::string> arguments, std::vector<std::string> wrapper = {}) const {
+        wrapper.push_back(PROXIMA_PROGRAM);
+        wrapper.insert(wrapper.end(), arguments.begin(), arguments.end());
+        return run_process(wrapper, folder, 120);
+    }
+
+    /// Renders a small picture on the CPU.
+    ProcessResult render(std::vector<std::string> arguments, std::vector<std::string> wrapper = {}) const {
+        arguments.insert(arguments.begin(), "render");
+        arguments.insert(arguments.end(), {"--size", "32x24", "--device", "cpu"});
+        return run(std::move(arguments), std::move(wrapper));
+    }
+
+    std::set<std::string> files() const {
+        std::set<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (entry.path().extension() != ".scn")
+                names.insert(entry.path().filename().string());
+        return names;
+    }
+
+    std::string content(const std::string& name) const {
+        std::ifstream file(folder / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    std::array<uint16_t, 3> corner(const std::string& name, OIIO::ImageSpec* spec = nullptr) const {
+        const auto input = OIIO::ImageInput::open((folder / name).string());
+        REQUIRE(input);
+        std::vector<uint16_t> levels(size_t(input->spec().width) * size_t(input->spec().height) * 3);
+        REQUIRE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT16, levels.data()));
+        if (spec)
+            *spec = input->spec();
+        return {levels[0], levels[1], levels[2]};
+    }
+};
+
+bool says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("program: a scene becomes a picture beside the caller") {
+    const Workplace work;
+    const ProcessResult run = work.render({"still.scn"});
+    CHECK(run.exit_code == 0);
+    CHECK(run.standard_output.empty());
+    CHECK(says(run.standard_error, "wrote still.png"));
+    CHECK(work.files() == std::set<std::string>{"still.png"});
+    OIIO::ImageSpec spec;
+    CHECK(work.corner("still.png", &spec) == std::array<uint16_t, 3>{118 * 257, 188 * 257, 63 * 257});
+    CHECK(spec.width == 32);
+    CHECK(spec.height == 24);
+    CHECK(spec.get_string_attribute("oiio:ColorSpace") == "sRGB");
+    CHECK(work.render({"still.scn", "--progress", "none"}).standard_error.empty());
+}
+
+TEST_CASE("program: the Raw view writes the linear numbers") {
+    const Workplace work;
+    REQUIRE(work.render({"still.scn", "-o", "a.png", "--view", "Raw", "--bits", "16"}).exit_code == 0);
+    CHECK(work.corner("a.png") == std::array<uint16_t, 3>{11796, 32768, 3277});
+    REQUIRE(work.render({"still.scn", "-o", "a.exr"}).exit_code == 0);
+    const std::array<uint16_t, 3> linear = work.corner("a.exr");
+    CHECK(linear[0] == doctest::Approx(11796).epsilon(5e-4));
+    CHECK(linear[1] == 32768);
+}
+
+TEST_CASE("program: an animation has a file a frame, and a subset gives the same bytes") {
+    const Workplace work;
+    REQUIRE(work.render({"moving.scn", "-o", "a.##.png", "--frames", "1-4"}).exit_code == 0);
+    CHECK(work.files() == std::set<std::string>{"a.01.png", "a.02.png", "a.03.png", "a.04.png"});
+    CHECK(work.content("a.01.png") != work.content("a.02.png"));
+    REQUIRE(work.render({"moving.scn", "-o", "b.%02d.png", "--frames", "1-4", "--subset", "4,2"}).exit_code == 0);
+    CHECK(work.files().size() == 6);
+    CHECK(work.content("a.02.png") == work.content("b.02.png"));
+    CHECK(work.content("a.04.png") == work.content("b.04.png"));
+}
+
+TEST_CASE("program: two runs give the same bytes in every format") {
+    const Workplace work;
+    const std::string extensions[] = {"png", "exr", "tif", "jpg"};
+    for (const std::string& extension : extensions)
+        REQUIRE(work.render({"still.scn", "-o", "a." + extension}).exit_code == 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // a time in a file would differ now
+    for (const std::string& extension : extensions) {
+        CAPTURE(extension);
+        REQUIRE(work.render({"still.scn", "-o", "b." + extension, "--threads", "1"}).exit_code == 0);
+        CHECK(work.content("a." + extension).size() > 100);
+        CHECK(work.content("a." + extension) == work.content("b." + extension));
+    }
+}
+
+TEST_CASE("program: statistics are one JSON object") {
+    const Workplace work;
+    REQUIRE(work.render({"moving.scn", "-o", "a.#.exr", "--frames", "1-3", "--stats-json", "s.json"}).exit_code == 0);
+    const auto json = nlohmann::json::parse(work.content("s.json"));
+    CHECK(json["scene"] == "moving.scn");
+    CHECK(json["spheres"] == 1);
+    REQUIRE(json["frames"].size() == 3);
+    CHECK(json["frames"][2]["file"] == "a.0003.exr");
+    CHECK(json["frames"][2]["device"] == "cpu");
+    CHECK(json["wall_ms"] > 0);
+}
+
+TEST_CASE("program: check counts what is in a scene") {
+    const Workplace work;
+    const ProcessResult run = work.run({"check", "still.scn"});
+    CHECK(run.exit_code == 0);
+    CHECK(says(run.standard_output, "still.scn: the scene is right"));
+    CHECK(says(run.standard_output, "spheres                1"));
+    CHECK(work.run({"check", "moving.scn", "--frames", "1-3"}).exit_code == 0);
+}
+
+TEST_CASE("program: devices lists the CPU") {
+    const Workplace work;
+    CHECK(says(work.run({"devices"}).standard_output, "cpu "));
+    const auto json = nlohmann::json::parse(work.run({"devices", "--json"}).standard_output);
+    CHECK(json[0]["id"] == "cpu");
+    CHECK(json[0]["memory_bytes"] > 0);
+}
+
+TEST_CASE("program: a wrong scene is exit code 1, with the place of each mistake") {
+    const Workplace work;
+    work.write("wrong.scn", "sphere { <0, 0, 0>, 1\nlight_sauce { 0 rgb 1 }\n");
+    for (const char* command : {"check", "render"}) {
+        const ProcessResult run = work.run({command, "wrong.scn"});
+        CHECK(run.exit_code == 1);
+        CHECK(run.standard_output.empty());
+        CHECK(says(run.standard_error, "wrong.scn:2:1: error: "));
+        CHECK(says(run.standard_error, "proxima: error: wrong.scn: "));
+    }
+    CHECK(work.files().empty());
+}
+
+TEST_CASE("program: a wrong command line is exit code 2") {
+    const Workplace work;
+    const std::vector<std::string> rows[] = {
+        {},
+        {"paint"},
+        {"render"},
+        {"render", "still.scn", "--colour"},
+        {"render", "still.scn", "--size", "big"},
+        {"render", "still.scn", "-o", "a.bmp"},
+        {"render", "still.scn", "--view", "Filmic"},
+        {"render", "still.scn", "--display", "Wall"},
+        {"render", "still.scn", "--device", "cuda:1000"},
+    };
+    for (const auto& arguments : rows) {
+        const ProcessResult run = work.run(arguments);
+        CHECK(run.exit_code == 2);
+        CHECK(run.standard_error.find("proxima: error: ") == 0);
+        CHECK(run.standard_output.empty());
+    }
+    CHECK(work.files().empty());
+}
+
+TEST_CASE("program: help and version are exit code 0 on standard output") {
+    const Workplace work;
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--help"}, {"render", "--help"}, {"check", "--help"}, {"--version"}}) {
+        const ProcessResult run = work.run(arguments);
+        CHECK(run.exit_code == 0);
+        CHECK(run.standard_error.empty());
+        CHECK_FALSE(run.standard_output.empty());
+    }
+}
+
+TEST_CASE("program: a file that cannot be read or written is exit code 3, before anything is rendered") {
+    const Workplace work;
+    fs::create_directory(work.folder / "folder.png");
+    const std::vector<std::string> rows[] = {
+        {"missing.scn"},
+        {"."},
+        {"still.scn", "-o", "folder.png"},
+        {"still.scn", "-o", "no/such/folder/a.png"},
+        {"still.scn", "-o", "still.scn/a.png"},
+        {"still.scn", "-o", "/proc/a.png"},
+        {"still.scn", "--ocio", "missing.ocio"},
+        {"still.scn", "--stats-json", "missing/s.json"},
+    };
+    for (const auto& arguments : rows) {
+        CAPTURE(arguments.back());
+        const ProcessResult run = work.render(arguments);
+        CHECK(run.exit_code == 3);
+        CHECK(run.standard_error.find("proxima: error: ") == 0);
+    }
+    CHECK(work.files() == std::set<std::string>{"folder.png"});
+}
+
+TEST_CASE("program: a disk that fills up while a frame is written leaves no partial file") {
+    const Workplace work;
+    const ProcessResult run =
+        work.render({"still.scn", "-o", "a.tif", "--progress", "none"}, {"prlimit", "--fsize=500"});
+    CHECK(run.exit_code == 3);
+    CHECK(says(run.standard_error, "a.tif: cannot be written: File too large"));
+    CHECK(work.files().empty());
+    const ProcessResult full = work.render({"still.scn", "--stats-json", "/dev/full"});
+    CHECK(full.exit_code == 3);
+    CHECK(says(full.standard_error, "/dev/full: cannot be written: No space left on device"));
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST_CASE("program: too little memory is exit code 33") {
+    const Workplace work;
+    const ProcessResult run =
+        work.run({"render", "still.scn", "--device", "cpu", "--size", "30000x30000"}, {"prlimit", "--as=2000000000"});
+    CHECK(run.exit_code == 33);
+    CHECK(says(run.standard_error, "proxima: error: "));
+    CHECK(work.files().empty());
+}
+#endif
+
+TEST_CASE("program: a signal stops the run after the frame in flight") {
+    const Workplace work;
+    for (const auto& [signal, code] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
+        CAPTURE(signal);
+        const ProcessResult run = work.render({"moving.scn", "-o", "a.######.png", "--frames", "1-100000"},
+                                              {"timeout", "--preserve-status", "--signal", signal, "1"});
+        CHECK(run.exit_code == code);
+        CHECK(says(run.standard_error, "proxima: error: stopped by signal"));
+        for (const std::string& name : work.files()) {
+            CHECK(name.size() == std::string("a.000001.png").size()); // no temporary file
+            work.corner(name);
+        }
+        CHECK_FALSE(work.files().empty());
+    }
+}
