@@ -240,7 +240,7 @@ TEST_CASE("program: a file that cannot be read or written is exit code 3, before
 TEST_CASE("program: a disk that fills up while a frame is written leaves no partial file") {
     const Workplace work;
     const ProcessResult run =
-        work.render({"still.scn", "-o", "a.tif", "--progress", "none"}, {"prlimit", "--fsize=500"});
+        work.render({"still.scn", "-o", "a.tif", "--progress", "none"}, {"prlimit", "--fsize=200"});
     CHECK(run.exit_code == 3);
     CHECK(says(run.standard_error, "a.tif: cannot be written: File too large"));
     CHECK(work.files().empty());
