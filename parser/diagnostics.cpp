@@ -36,7 +36,7 @@ Excerpt excerpt(std::string_view line, size_t column) {
     }
     result.caret = result.text.size() + (column - start);
     for (const char c : line.substr(start, width))
-        result.text += (c >= 0 && c < ' ') || c == 127 ? ' ' : c; // a tab or a control character would shift the caret
+        result.text += c >= ' ' && c < 127 ? c : c == '\t' ? ' ' : '?'; // one column a byte, for the caret
     if (line.size() > start + width)
         result.text += "...";
     return result;
@@ -122,7 +122,7 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const SourceFiles& f
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
-    size_t best = name.size() <= 3 ? 1 : name.size() <= 7 ? 2 : 3;
+    size_t best = name.size() <= 2 ? 0 : name.size() <= 5 ? 1 : name.size() <= 8 ? 2 : 3;
     std::string_view nearest;
     for (const std::string_view candidate : candidates) {
         const size_t distance = edit_distance(name, candidate, best);

@@ -39,13 +39,17 @@ double srgb_to_linear(double value) {
 
 bool Evaluator::starts_color() {
     const Token& token = peek();
-    return token.kind == TokenKind::word && token.index >= uint32_t(Word::color) &&
-           token.index <= uint32_t(Word::transmit);
+    if (token.kind == TokenKind::word)
+        return token.index >= uint32_t(Word::color) && token.index <= uint32_t(Word::transmit);
+    const Binding* binding = token.kind == TokenKind::name ? scopes_.find(token.index) : nullptr;
+    const Terms* terms = binding ? std::get_if<Terms>(&binding->value) : nullptr;
+    return terms && terms->count == 5;
 }
 
 Terms Evaluator::color() {
     const Token& start = peek();
-    const bool spelled_out = accept(Word::color) || accept(Word::colour);
+    if (!accept(Word::color))
+        accept(Word::colour);
     Terms result;
     result.count = 5;
     bool any = false;
@@ -74,15 +78,12 @@ Terms Evaluator::color() {
         any = true;
         break;
     }
-    bool may_have_channels = any || spelled_out;
     if (!any && starts_expression()) {
         result = sum();
         result.promote(5);
         any = true;
-    } else if (!any) {
-        may_have_channels = true;
     }
-    for (bool more = may_have_channels; more;) {
+    for (bool more = true; more;) {
         more = false;
         for (const Channel& channel : channels) {
             if (!accept(channel.word))

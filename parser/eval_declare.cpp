@@ -2,6 +2,7 @@
 // Names: the predeclared ones, those of the command line, #declare, #local, #undef and #default.
 #include "parser/evaluator.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 
@@ -60,6 +61,18 @@ Symbol Evaluator::declared_name() {
     return token.index;
 }
 
+namespace {
+
+/// Whether an assignment may change what a condition says.
+bool value_changes(const Value& before, const Value& after) {
+    const Terms* old_terms = std::get_if<Terms>(&before);
+    const Terms* terms = std::get_if<Terms>(&after);
+    return !old_terms || !terms || old_terms->count != terms->count ||
+           !std::equal(terms->value, terms->value + terms->count, old_terms->value);
+}
+
+} // namespace
+
 void Evaluator::run_declare(const Token& directive) {
     ++cursor_;
     const Token& name = *cursor_;
@@ -80,6 +93,7 @@ void Evaluator::run_declare(const Token& directive) {
         }
         Binding& binding =
             directive.directive == Directive::local ? scopes_.declare_local(symbol) : scopes_.declare(symbol);
+        changes_ += value_changes(binding.value, value);
         binding.value = std::move(value);
         binding.declared = declared;
         binding.predeclared = false;
@@ -92,6 +106,7 @@ void Evaluator::run_declare(const Token& directive) {
 void Evaluator::run_undef() {
     ++cursor_;
     scopes_.undefine(declared_name());
+    ++changes_;
 }
 
 Value Evaluator::right_hand_side() {
@@ -129,7 +144,7 @@ Value Evaluator::right_hand_side() {
         return std::make_shared<const Light<double>>(light_source());
     if (accept(Word::transform))
         return std::make_shared<const TransformPair>(transform_block());
-    if (starts_color())
+    if (token.kind == TokenKind::word && starts_color())
         return color();
     return sum();
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Directives: conditions, loops, includes, messages. They run when the token after them is asked for.
 #include "parser/evaluator.h"
+#include "parser/standard_includes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -66,7 +68,7 @@ void Evaluator::run_directive() {
     case Directive::include:
         return run_include(directive);
     case Directive::version:
-        return run_version(directive);
+        return run_version();
     case Directive::default_:
         return run_default();
     case Directive::debug:
@@ -138,8 +140,9 @@ void Evaluator::run_switch(const Token& directive) {
 }
 
 void Evaluator::run_while(const Token& directive) {
+    const uint64_t changes = changes_;
     if (condition(directive))
-        loops_.push_back({&directive});
+        loops_.push_back({.opener = &directive, .changes = changes});
     else
         cursor_ = &program_->tokens[directive.index + 1];
 }
@@ -187,6 +190,8 @@ void Evaluator::run_end(const Token& directive) {
         return;
     }
     if (opener.directive == Directive::while_) {
+        if (loop.changes == changes_)
+            fail(opener, "this loop never ends: nothing that its condition could depend on changes in it");
         loops_.pop_back();
         cursor_ = &opener;
         return;
@@ -197,6 +202,7 @@ void Evaluator::run_end(const Token& directive) {
     if (!variable || variable->count != 1)
         fail(opener, "the variable of this loop is no number any more");
     variable->value[0] += loop.step;
+    ++changes_;
     if (loop.goes_on(variable->value[0]))
         cursor_ = loop.body;
     else
@@ -218,7 +224,10 @@ void Evaluator::run_include(const Token& directive) {
         fail(directive, fmt::format("files include each other more than {} deep", include_depth_limit));
     TokenProgram* program = nullptr;
     try {
-        program = sources_.program(sources_.files.open_include(name), diagnostics_);
+        const std::optional<uint32_t> file = sources_.files.open_include(name);
+        if (!file)
+            return include_standard(name, name_token);
+        program = sources_.program(*file, diagnostics_);
     } catch (const FileError& error) {
         fail(name_token, error.what());
     }
@@ -230,6 +239,25 @@ void Evaluator::run_include(const Token& directive) {
     cursor_ = program->tokens.data();
 }
 
+/// Declares what a standard file of POV-Ray's would. The scene's own file of that name goes first.
+void Evaluator::include_standard(const std::string& name, const Token& at) {
+    const StandardInclude kind = standard_include(name);
+    if (kind == StandardInclude::unknown)
+        fail(at, fmt::format("there is no file {}", name), "it is searched beside the scene and in the include paths");
+    if (kind == StandardInclude::colors) {
+        for (const StandardColor& color : standard_colors()) {
+            Terms terms;
+            terms.count = 5;
+            std::copy_n(color.rgbft, 5, terms.value);
+            predeclare(color.name, terms);
+        }
+    } else {
+        warn(at, fmt::format("of the names in {} Proxima knows none", name));
+    }
+    // Each of these files ends in a #version with the value that the version had: from here on the scene has one.
+    has_version_ = true;
+}
+
 void Evaluator::end_text() {
     const Frame frame = frames_.back();
     frames_.pop_back();
@@ -239,7 +267,7 @@ void Evaluator::end_text() {
     cursor_ = frame.return_to;
 }
 
-void Evaluator::run_version(const Token& directive) {
+void Evaluator::run_version() {
     ++cursor_;
     const Token& at = peek();
     const double version = number();
@@ -249,7 +277,7 @@ void Evaluator::run_version(const Token& directive) {
     if (version < 3.5 - epsilon)
         fail(at, fmt::format("this is a scene for POV-Ray {}; 3.5 is the oldest that Proxima knows", version));
     version_ = version;
-    (void)directive;
+    has_version_ = true;
 }
 
 void Evaluator::run_message(const Token& directive) {

@@ -90,6 +90,8 @@ Terms Evaluator::relation() {
         if (!is_relation(token.kind))
             return left;
         advance();
+        if (token.kind == TokenKind::equal && peek().kind == TokenKind::equal)
+            fail(token, "there is no operator '=='", "'=' alone compares");
         const Terms right = sum();
         if (left.count != 1 || right.count != 1)
             fail(token, fmt::format("'{}' compares numbers, not vectors", spelling(token)));

@@ -68,7 +68,7 @@ FinishRef Evaluator::finish(uint32_t base) {
         } else if (accept(Word::reflection_exponent)) {
             value.reflection_exponent = float(number());
         } else if (accept(Word::conserve_energy)) {
-            value.conserve_energy = optional_flag(true);
+            value.conserve_energy = 1;
         } else if (accept(Word::crand)) {
             if (number() != 0)
                 fail(token, "Proxima does not support 'crand'", "leave it out or set it to 0");

@@ -181,6 +181,7 @@ Terms Evaluator::call_function(const Token& token) {
             if (!random_.has(stream))
                 fail(at, "this is no stream of random numbers", "a stream comes from seed: #declare R = seed(1);");
             result = random_.next(uint32_t(stream));
+            ++changes_;
             break;
         }
         case Word::seed:

@@ -16,8 +16,16 @@ bool Evaluator::starts_object() {
     return token.kind == TokenKind::word && token.index <= uint32_t(Word::object);
 }
 
+bool Evaluator::starts_shape() {
+    return starts_object() || identifier<ShapeRef>();
+}
+
 ShapeRef Evaluator::object() {
     const Nesting nesting(*this);
+    if (const ShapeRef* declared = identifier<ShapeRef>()) {
+        advance();
+        return *declared;
+    }
     auto shape = std::make_shared<Shape>();
     if (peek().kind == TokenKind::sphere_run) {
         literal_sphere(*shape);
@@ -38,7 +46,7 @@ ShapeRef Evaluator::object() {
     default:
         object_reference(*shape);
     }
-    object_modifiers(*shape);
+    object_modifiers(*shape, word);
     return shape;
 }
 
@@ -49,7 +57,7 @@ void Evaluator::sphere(Shape& shape) {
         return;
     }
     const Vec3<double> center = vector();
-    separator();
+    accept(TokenKind::comma);
     const Token& at = peek();
     const double radius = number();
     if (!std::isfinite(radius))
@@ -67,7 +75,7 @@ void Evaluator::plane(Shape& shape) {
     }
     const Token& at = peek();
     const Vec3<double> normal = vector();
-    separator();
+    accept(TokenKind::comma);
     const Token& distance_at = peek();
     const double distance = number();
     const double length = glm::length(normal);
@@ -79,20 +87,17 @@ void Evaluator::plane(Shape& shape) {
 }
 
 void Evaluator::union_parts(Shape& shape) {
-    if (const ShapeRef* declared = identifier<ShapeRef>()) {
-        shape = **declared;
-        advance();
-        return;
-    }
     const auto append = [](auto& parts, const auto& more) { parts.insert(parts.end(), more.begin(), more.end()); };
-    while (starts_object()) {
+    bool any = false;
+    while (starts_shape()) {
         Shape part = *object();
         part.dress_parts();
         append(shape.spheres, part.spheres);
         append(shape.ellipsoids, part.ellipsoids);
         append(shape.planes, part.planes);
+        any = true;
     }
-    if (shape.spheres.empty() && shape.ellipsoids.empty() && shape.planes.empty())
+    if (!any)
         fail_unexpected("an object: a union has one or more");
 }
 
@@ -112,10 +117,9 @@ void Evaluator::transform_object(Shape& shape, const TransformPair& transform) {
 }
 
 /// What follows an object's geometry, to the closing brace. The order matters: a transform moves what stands before it.
-void Evaluator::object_modifiers(Shape& shape) {
+void Evaluator::object_modifiers(Shape& shape, Word kind) {
     Surface& own = shape.own;
     for (;;) {
-        const Token& token = peek();
         TransformPair transform;
         if (accept(TokenKind::right_brace)) {
             return;
@@ -137,11 +141,10 @@ void Evaluator::object_modifiers(Shape& shape) {
             own.no_shadow = true;
         } else if (accept(Word::hollow)) {
             optional_flag(true); // matters to media and fog alone
-        } else if (accept(Word::split_union)) {
+        } else if (kind == Word::union_ && accept(Word::split_union)) {
             optional_flag(true); // matters to POV-Ray's bounding boxes alone
         } else if (transform_item(transform)) {
             transform_object(shape, transform);
-            (void)token;
         } else {
             fail_unexpected("texture, pigment, finish, interior, a transform or '}'");
         }

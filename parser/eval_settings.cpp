@@ -36,9 +36,12 @@ void Evaluator::global_settings() {
         } else if (accept(Word::charset)) {
             if (!accept(Word::ascii) && !accept(Word::utf8))
                 fail_unexpected("ascii or utf8");
-        } else if (accept(Word::max_intersections) || accept(Word::number_of_waves) || accept(Word::noise_generator) ||
-                   accept(Word::mm_per_unit)) {
+        } else if (accept(Word::max_intersections) || accept(Word::number_of_waves) || accept(Word::mm_per_unit)) {
             number(); // matters to what Proxima does not have
+        } else if (accept(Word::noise_generator)) {
+            const double generator = number();
+            if (!(generator >= 1 && generator <= 3))
+                fail(token, "noise_generator must be 1, 2 or 3");
         } else {
             break;
         }
@@ -73,8 +76,8 @@ double Evaluator::encode_working(double linear) {
 /// POV-Ray decides by the version that holds at the end of the scene.
 void Evaluator::finish_settings() {
     SceneProgram& scene = builder_.program();
-    scene.legacy_transparency = version_ < 3.7 - epsilon;
-    if (!has_assumed_gamma_ && version_ < 3.7 - epsilon)
+    scene.legacy_transparency = before_3_7();
+    if (!has_assumed_gamma_ && before_3_7())
         scene.working_curve = WorkingCurve::display;
     scene.depends_on_time = depends_on_time_;
 }

@@ -11,9 +11,9 @@ namespace proxima {
 namespace {
 
 /// As printf's %*.*f: a negative `length` pads with zeros, a negative `precision` is 6 digits.
-std::string formatted(double value, int length, int precision) {
-    const int width = std::clamp(std::abs(length), 0, 1000);
-    const int digits = precision < 0 ? 6 : std::min(precision, 300);
+std::string formatted(double value, double length, double precision) {
+    const int width = int(std::min(std::abs(length), 1000.0));
+    const int digits = precision < 0 ? 6 : int(std::min(precision, 300.0));
     return length < 0 ? fmt::format("{:0{}.{}f}", value, width, digits)
                       : fmt::format("{:{}.{}f}", value, width, digits);
 }
@@ -60,7 +60,24 @@ std::string Evaluator::string() {
         separator();
         const double length = argument();
         separator();
-        result = formatted(value, int(std::clamp(length, -1000.0, 1000.0)), int(std::clamp(argument(), -1.0, 300.0)));
+        result = formatted(value, length, argument());
+        break;
+    }
+    case Word::vstr: {
+        const double count = argument();
+        separator();
+        const Token& at = peek();
+        const Terms terms = sum();
+        if (!(count >= 2 && count <= 5) || terms.count == 1)
+            fail(at, "vstr takes a vector and its number of terms, 2 to 5");
+        separator();
+        const std::string between = string();
+        separator();
+        const double length = argument();
+        separator();
+        const double precision = argument();
+        for (int i = 0; i < int(count); ++i)
+            result += (i > 0 ? between : "") + formatted(i < terms.count ? terms.value[i] : 0, length, precision);
         break;
     }
     case Word::concat:

@@ -23,30 +23,34 @@ PigmentRef Evaluator::pigment(uint32_t base) {
         value = builder_.pigment(declared->index);
         advance();
     }
+    // A colour or a pattern comes first, and once.
+    const char* expected = "a transform or '}'";
+    if (accept(Word::checker)) {
+        value = {};
+        value.pigment.kind = PigmentKind::checker;
+        value.pigment.color.rgb = {0, 0, 1}; // POV-Ray's checker is blue and green unless told
+        value.pigment.second_color.rgb = {0, 1, 0};
+        if (starts_color()) {
+            value.pigment.color = pigment_color(color());
+            accept(TokenKind::comma);
+            if (starts_color())
+                value.pigment.second_color = pigment_color(color());
+        }
+    } else if (starts_color()) {
+        value = {};
+        value.pigment.color = pigment_color(color());
+    } else {
+        expected = "a color (like rgb <1, 0, 0>), checker, a transform or '}'";
+    }
     TransformPair transform;
     for (;;) {
-        if (accept(Word::checker)) {
-            value = {};
-            value.pigment.kind = PigmentKind::checker;
-            value.pigment.color.rgb = {0, 0, 1}; // POV-Ray's checker is blue and green unless told
-            value.pigment.second_color.rgb = {0, 1, 0};
-            if (starts_color() || starts_expression()) {
-                value.pigment.color = pigment_color(color());
-                accept(TokenKind::comma);
-                if (starts_color() || starts_expression())
-                    value.pigment.second_color = pigment_color(color());
-            }
-        } else if (accept(Word::quick_color) || accept(Word::quick_colour)) {
+        if (accept(Word::quick_color) || accept(Word::quick_colour))
             color(); // used by POV-Ray's previews alone
-        } else if (starts_color() || starts_expression()) {
-            value = {};
-            value.pigment.color = pigment_color(color());
-        } else if (!transform_item(transform)) {
+        else if (!transform_item(transform))
             break;
-        }
     }
     if (!accept(TokenKind::right_brace))
-        fail_unexpected("a color, checker, a transform or '}'");
+        fail_unexpected(expected);
     value.pattern_from_world = compose(value.pattern_from_world, transform.inverse);
     return {builder_.add_pigment(value)};
 }
@@ -93,19 +97,24 @@ uint32_t Evaluator::layered(uint32_t below, uint32_t above) {
     return builder_.add_texture(layers);
 }
 
-/// Reads a pigment block and puts it into the texture.
-uint32_t Evaluator::with_pigment(uint32_t texture) {
+/// The layers of a texture that a pigment or finish is to be put into.
+std::vector<Layer> Evaluator::single_layer(uint32_t texture) {
     std::vector<Layer> layers = builder_.texture(texture);
     if (layers.size() > 1)
-        fail_unexpected("a whole texture: this one has several layers");
+        fail(cursor_[-1], fmt::format("this texture has {} layers", layers.size()),
+             "give each layer its pigment and finish where it is declared");
+    return layers;
+}
+
+/// Reads a pigment block and puts it into the texture.
+uint32_t Evaluator::with_pigment(uint32_t texture) {
+    std::vector<Layer> layers = single_layer(texture);
     layers.back().pigment = pigment(layers.back().pigment).index;
     return builder_.add_texture(layers);
 }
 
 uint32_t Evaluator::with_finish(uint32_t texture) {
-    std::vector<Layer> layers = builder_.texture(texture);
-    if (layers.size() > 1)
-        fail_unexpected("a whole texture: this one has several layers");
+    std::vector<Layer> layers = single_layer(texture);
     layers.back().finish = finish(layers.back().finish).index;
     return builder_.add_texture(layers);
 }

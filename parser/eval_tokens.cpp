@@ -92,7 +92,7 @@ void Evaluator::fail_unexpected(const std::string& expected) {
     const std::string_view text = spelling(token);
     switch (token.kind) {
     case TokenKind::end_of_text:
-        fail(token, "the scene ends here", hint);
+        fail(token, "the scene ends here", hint + unclosed_item());
     case TokenKind::sphere_run:
         fail(token, "unexpected 'sphere'", hint);
     case TokenKind::word:
@@ -112,6 +112,14 @@ void Evaluator::fail_unexpected(const std::string& expected) {
         break;
     }
     fail(token, fmt::format("unexpected '{}'", text), hint);
+}
+
+/// For the message about a text that ends too soon.
+std::string Evaluator::unclosed_item() const {
+    if (!in_item_ || item_frames_ != frames_.size())
+        return {};
+    const uint32_t line = sources_.files.line_column(span(*item_start_).location).line;
+    return fmt::format("; is the item that begins in line {} closed?", line);
 }
 
 void Evaluator::fail_steps() {

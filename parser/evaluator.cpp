@@ -52,7 +52,7 @@ bool Evaluator::item() {
         return false;
     if (token.kind == TokenKind::sphere_run) {
         emit_sphere_run();
-    } else if (starts_object()) {
+    } else if (starts_shape()) {
         Shape shape = *object();
         shape.dress_parts();
         builder_.add_shape(shape, default_texture_);

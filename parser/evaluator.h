@@ -35,8 +35,9 @@ private:
     };
     struct Loop {
         const Token* opener;
-        const Token* body = nullptr; ///< the rest is #for's
+        const Token* body = nullptr; ///< of #for, as are the variable, end and step
         Symbol variable = 0;
+        uint64_t changes = 0; ///< changes_ when the body began
         double end = 0;
         double step = 1;
         bool stopped = false; ///< after a mistake: ends at its #end
@@ -78,6 +79,7 @@ private:
     [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {}) const;
     [[noreturn]] void fail_unexpected(const std::string& expected);
     [[noreturn]] void fail_steps();
+    std::string unclosed_item() const;
     std::string suggestion(std::string_view name) const;
     void warn(const Token& token, std::string message, std::string hint = {});
 
@@ -91,8 +93,9 @@ private:
     void run_end(const Token& directive);
     void leave_loop(const Token& opener);
     void run_include(const Token& directive);
+    void include_standard(const std::string& name, const Token& at);
     void end_text();
-    void run_version(const Token& directive);
+    void run_version();
     void run_message(const Token& directive);
 
     // eval_declare.cpp
@@ -154,6 +157,7 @@ private:
     TextureRef texture();
     MaterialValue material();
     bool texture_item(uint32_t& texture);
+    std::vector<Layer> single_layer(uint32_t texture);
     uint32_t with_pigment(uint32_t texture);
     uint32_t with_finish(uint32_t texture);
     uint32_t layered(uint32_t below, uint32_t above);
@@ -165,13 +169,14 @@ private:
 
     // eval_objects.cpp
     bool starts_object();
+    bool starts_shape(); ///< an object or the name of one
     ShapeRef object();
     void sphere(Shape& shape);
     void literal_sphere(Shape& shape);
     void plane(Shape& shape);
     void union_parts(Shape& shape);
     void object_reference(Shape& shape);
-    void object_modifiers(Shape& shape);
+    void object_modifiers(Shape& shape, Word kind);
     void transform_object(Shape& shape, const TransformPair& transform);
     void emit_sphere_run();
     uint32_t literal_texture(const SphereRun& run, size_t index);
@@ -183,6 +188,7 @@ private:
     void global_settings();
     void assumed_gamma();
     double encode_working(double linear);
+    bool before_3_7() const { return !has_version_ || version_ < 3.7 - epsilon; }
     void finish_settings();
 
     // evaluator.cpp
@@ -208,11 +214,13 @@ private:
     uint64_t steps_ = 0;
     uint64_t directives_run_ = 0;
     uint64_t directives_at_last_token_ = 0;
+    uint64_t changes_ = 0; ///< of anything that a condition may depend on
     size_t nesting_ = 0;
     size_t includes_ = 0;
 
     uint32_t default_texture_ = 0;
-    double version_ = 3.62; ///< what POV-Ray 3.7 takes for a scene that does not say
+    double version_ = 3.7;
+    bool has_version_ = false; ///< without one the scene reads 3.7 and is rendered as one of before 3.7
     bool has_assumed_gamma_ = false;
     bool has_camera_ = false;
     bool depends_on_time_ = false;

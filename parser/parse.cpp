@@ -9,6 +9,7 @@ namespace proxima {
 TokenProgram parse_text(const SourceFiles& files, uint32_t file, SymbolTable& symbols, Diagnostics& diagnostics) {
     using Input = grammar::pegtl::memory_input<grammar::pegtl::tracking_mode::lazy>;
     const std::string_view text = files.text(file);
+    const size_t mistakes = diagnostics.error_count();
     TokenProgram program;
     program.file = file;
     TokenWriter writer(program, text, symbols, diagnostics);
@@ -21,6 +22,7 @@ TokenProgram parse_text(const SourceFiles& files, uint32_t file, SymbolTable& sy
     } catch (const SceneError& error) {
         diagnostics.report(error.diagnostic);
     }
+    program.valid = diagnostics.error_count() == mistakes;
     return program;
 }
 

@@ -7,7 +7,7 @@
 
 namespace proxima {
 
-/// Parses one text. Mistakes go to `diagnostics`; then the program is not to be run.
+/// Parses one text. Mistakes go to `diagnostics`; then the program is not valid.
 TokenProgram parse_text(const SourceFiles& files, uint32_t file, SymbolTable& symbols, Diagnostics& diagnostics);
 
 } // namespace proxima

@@ -8,14 +8,9 @@ namespace proxima {
 TokenProgram* ScriptSources::program(uint32_t file, Diagnostics& diagnostics) {
     if (programs.size() <= file)
         programs.resize(file + 1);
-    if (!programs[file]) {
-        const size_t mistakes = diagnostics.error_count();
-        auto program = std::make_unique<TokenProgram>(parse_text(files, file, symbols, diagnostics));
-        if (diagnostics.error_count() > mistakes)
-            return nullptr;
-        programs[file] = std::move(program);
-    }
-    return programs[file].get();
+    if (!programs[file])
+        programs[file] = std::make_unique<TokenProgram>(parse_text(files, file, symbols, diagnostics));
+    return programs[file]->valid ? programs[file].get() : nullptr;
 }
 
 struct SceneScript::Implementation {

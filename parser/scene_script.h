@@ -30,7 +30,7 @@ struct EvaluationSettings {
     uint32_t image_height = 480;
     /// --declare NAME=VALUE: a number, or a string in double quotes.
     std::vector<std::pair<std::string, std::string>> declares;
-    uint64_t step_limit = 2'000'000'000; ///< tokens evaluated; past it an endless loop is assumed
+    uint64_t step_limit = 500'000'000; ///< tokens evaluated; past it an endless loop is assumed
     /// The script is not evaluated again: literal spheres are moved out of the syntax instead of copied.
     bool last_evaluation = false;
 };

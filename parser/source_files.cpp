@@ -66,7 +66,7 @@ uint32_t SourceFiles::open_scene(const fs::path& path, std::vector<fs::path> inc
     return map_file(path, real);
 }
 
-uint32_t SourceFiles::open_include(const std::string& name) {
+std::optional<uint32_t> SourceFiles::open_include(const std::string& name) {
     const fs::path relative(name);
     if (name.empty())
         throw FileError("the name of the file is empty");
@@ -85,8 +85,7 @@ uint32_t SourceFiles::open_include(const std::string& name) {
                 return index;
         return map_file(candidate, real);
     }
-    throw FileError("cannot find " + name + " beside the scene" +
-                    (folders_.size() > 1 ? " or in the include paths" : ""));
+    return std::nullopt;
 }
 
 uint32_t SourceFiles::add_text(std::string name, std::string text) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,8 +37,9 @@ public:
     /// Opens the scene file and allows its folder and `include_paths` for reading. Returns its index.
     uint32_t open_scene(const std::filesystem::path& path, std::vector<std::filesystem::path> include_paths);
 
-    /// Finds `name` beside the scene, then in the include paths. The same file keeps its index.
-    uint32_t open_include(const std::string& name);
+    /// Finds `name` beside the scene, then in the include paths. The same file keeps its index. Nothing when there is
+    /// no such file; one that may not be read throws FileError.
+    std::optional<uint32_t> open_include(const std::string& name);
 
     /// Adds a text that is no file.
     uint32_t add_text(std::string name, std::string text);

@@ -108,6 +108,7 @@ struct TokenProgram {
     std::vector<std::string> strings;
     std::vector<SphereRun> runs;
     size_t literal_spheres = 0;
+    bool valid = false; ///< has no mistakes and may be run
 };
 
 } // namespace proxima

@@ -234,7 +234,7 @@ bool TokenWriter::commit_sphere(std::string_view piece) {
         return false;
     if (program_.tokens.empty() || program_.tokens.back().kind != TokenKind::sphere_run ||
         program_.runs.back().spheres.size() >= SphereRun::capacity) {
-        append(TokenKind::sphere_run, piece).index = uint32_t(program_.runs.size());
+        append(TokenKind::sphere_run, piece.substr(0, 6)).index = uint32_t(program_.runs.size());
         program_.runs.emplace_back();
     }
     SphereRun& run = program_.runs.back();

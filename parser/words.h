@@ -8,60 +8,60 @@
 
 namespace proxima {
 
+// clang-format off
 // X(enumerator, spelling). An enumerator ends in _ where its spelling is a word of C++.
-#define PROXIMA_WORDS(X)                                                                                               \
-    /* objects and items */                                                                                            \
-    X(sphere, "sphere")                                                                                                \
-    X(plane, "plane") X(union_, "union") X(object, "object") X(camera, "camera") X(light_source, "light_source")       \
-        X(background, "background") X(global_settings, "global_settings") /* surfaces */                               \
-        X(texture, "texture") X(pigment, "pigment") X(finish, "finish") X(interior, "interior") X(                     \
-            material, "material") X(checker, "checker") X(quick_color, "quick_color") X(quick_colour, "quick_colour")  \
-            X(ambient, "ambient") X(diffuse, "diffuse") X(albedo, "albedo") X(emission, "emission")                    \
-                X(brilliance, "brilliance") X(phong, "phong") X(phong_size, "phong_size") X(specular, "specular")      \
-                    X(roughness, "roughness") X(metallic, "metallic") X(reflection, "reflection")                      \
-                        X(reflection_exponent, "reflection_exponent") X(exponent, "exponent") X(falloff, "falloff")    \
-                            X(fresnel, "fresnel") X(conserve_energy, "conserve_energy") X(ior, "ior")                  \
-                                X(fade_distance, "fade_distance") X(fade_power, "fade_power")                          \
-                                    X(fade_color, "fade_color") X(fade_colour, "fade_colour") X(crand, "crand")        \
-                                        X(irid, "irid") X(caustics, "caustics") X(dispersion, "dispersion")            \
-                                            X(dispersion_samples, "dispersion_samples") /* object modifiers */         \
-        X(no_shadow, "no_shadow") X(hollow, "hollow") X(split_union, "split_union") X(translate, "translate")          \
-            X(rotate, "rotate") X(scale, "scale") X(matrix, "matrix") X(transform, "transform")                        \
-                X(inverse, "inverse") /* camera and lights */                                                          \
-        X(location, "location") X(look_at, "look_at") X(angle, "angle") X(right, "right") X(up, "up") X(sky, "sky")    \
-            X(direction, "direction") X(perspective, "perspective") X(orthographic, "orthographic")                    \
-                X(shadowless, "shadowless") /* global settings */                                                      \
-        X(assumed_gamma, "assumed_gamma") X(ambient_light, "ambient_light") X(max_trace_level, "max_trace_level")      \
-            X(adc_bailout, "adc_bailout") X(charset, "charset") X(max_intersections, "max_intersections")              \
-                X(number_of_waves, "number_of_waves") X(noise_generator, "noise_generator")                            \
-                    X(mm_per_unit, "mm_per_unit") X(ascii, "ascii") X(utf8, "utf8") /* colours */                      \
-        X(color, "color") X(colour, "colour") X(rgb, "rgb") X(rgbf, "rgbf") X(rgbt, "rgbt") X(rgbft, "rgbft")          \
-            X(srgb, "srgb") X(srgbf, "srgbf") X(srgbt, "srgbt") X(srgbft, "srgbft") X(red, "red") X(green, "green")    \
-                X(blue, "blue") X(filter, "filter") X(transmit, "transmit")                                            \
-                    X(gray, "gray") /* numbers and functions of numbers */                                             \
-        X(x, "x") X(y, "y") X(z, "z") X(t, "t") X(u, "u") X(v, "v") X(pi, "pi") X(clock, "clock")                      \
-            X(clock_on, "clock_on") X(now, "now") X(version, "version") X(true_, "true") X(false_, "false")            \
-                X(yes, "yes") X(no, "no") X(on, "on") X(off, "off") X(abs, "abs") X(acos, "acos") X(acosh, "acosh")    \
-                    X(asin, "asin") X(asinh, "asinh") X(atan, "atan") X(atan2, "atan2") X(atanh, "atanh")              \
-                        X(ceil, "ceil") X(cos, "cos") X(cosh, "cosh") X(degrees, "degrees") X(div, "div")              \
-                            X(exp, "exp") X(floor, "floor") X(int_, "int") X(ln, "ln") X(log, "log") X(max, "max")     \
-                                X(min, "min") X(mod, "mod") X(pow, "pow") X(radians, "radians") X(rand, "rand")        \
-                                    X(seed, "seed") X(select, "select") X(sin, "sin") X(sinh, "sinh") X(sqr, "sqr")    \
-                                        X(sqrt, "sqrt") X(tan, "tan") X(tanh, "tanh") X(bitwise_and, "bitwise_and")    \
-                                            X(bitwise_or, "bitwise_or") X(bitwise_xor, "bitwise_xor")                  \
-                                                X(defined, "defined") X(vdot, "vdot") X(vlength, "vlength")            \
-                                                    X(vcross, "vcross") X(vnormalize, "vnormalize")                    \
-                                                        X(vrotate, "vrotate")                                          \
-                                                            X(vaxis_rotate, "vaxis_rotate") /* strings */              \
-        X(asc, "asc") X(strcmp, "strcmp") X(strlen, "strlen") X(val, "val") X(str, "str") X(vstr, "vstr")              \
-            X(concat, "concat") X(chr, "chr") X(substr, "substr") X(strupr, "strupr")                                  \
-                X(strlwr, "strlwr") /* directives that may also be reserved words */                                   \
-        X(break_, "break") X(case_, "case") X(debug, "debug") X(declare, "declare") X(default_, "default")             \
-            X(else_, "else") X(elseif, "elseif") X(end, "end") X(error, "error") X(fclose, "fclose") X(fopen, "fopen") \
-                X(for_, "for") X(if_, "if") X(ifdef, "ifdef") X(ifndef, "ifndef") X(include, "include")                \
-                    X(local, "local") X(macro, "macro") X(range, "range") X(read, "read") X(render, "render")          \
-                        X(statistics, "statistics") X(switch_, "switch") X(undef, "undef") X(warning, "warning")       \
-                            X(while_, "while") X(write, "write")
+#define PROXIMA_WORDS(X) \
+    /* objects and items */ \
+    X(sphere, "sphere") X(plane, "plane") X(union_, "union") X(object, "object") X(camera, "camera") \
+    X(light_source, "light_source") X(background, "background") X(global_settings, "global_settings") \
+    /* surfaces */ \
+    X(texture, "texture") X(pigment, "pigment") X(finish, "finish") X(interior, "interior") \
+    X(material, "material") X(checker, "checker") X(quick_color, "quick_color") X(quick_colour, "quick_colour") \
+    X(ambient, "ambient") X(diffuse, "diffuse") X(albedo, "albedo") X(emission, "emission") \
+    X(brilliance, "brilliance") X(phong, "phong") X(phong_size, "phong_size") X(specular, "specular") \
+    X(roughness, "roughness") X(metallic, "metallic") X(reflection, "reflection") \
+    X(reflection_exponent, "reflection_exponent") X(exponent, "exponent") X(falloff, "falloff") \
+    X(fresnel, "fresnel") X(conserve_energy, "conserve_energy") X(ior, "ior") X(fade_distance, "fade_distance") \
+    X(fade_power, "fade_power") X(fade_color, "fade_color") X(fade_colour, "fade_colour") X(crand, "crand") \
+    X(caustics, "caustics") \
+    /* object modifiers */ \
+    X(no_shadow, "no_shadow") X(hollow, "hollow") X(split_union, "split_union") X(translate, "translate") \
+    X(rotate, "rotate") X(scale, "scale") X(matrix, "matrix") X(transform, "transform") X(inverse, "inverse") \
+    /* camera and lights */ \
+    X(location, "location") X(look_at, "look_at") X(angle, "angle") X(right, "right") X(up, "up") X(sky, "sky") \
+    X(direction, "direction") X(perspective, "perspective") X(orthographic, "orthographic") \
+    X(shadowless, "shadowless") \
+    /* global settings */ \
+    X(assumed_gamma, "assumed_gamma") X(ambient_light, "ambient_light") X(max_trace_level, "max_trace_level") \
+    X(adc_bailout, "adc_bailout") X(charset, "charset") X(max_intersections, "max_intersections") \
+    X(number_of_waves, "number_of_waves") X(noise_generator, "noise_generator") X(mm_per_unit, "mm_per_unit") \
+    X(ascii, "ascii") X(utf8, "utf8") \
+    /* colours */ \
+    X(color, "color") X(colour, "colour") X(rgb, "rgb") X(rgbf, "rgbf") X(rgbt, "rgbt") X(rgbft, "rgbft") \
+    X(srgb, "srgb") X(srgbf, "srgbf") X(srgbt, "srgbt") X(srgbft, "srgbft") X(red, "red") X(green, "green") \
+    X(blue, "blue") X(filter, "filter") X(transmit, "transmit") X(gray, "gray") \
+    /* numbers, and functions that give numbers and vectors: from x to val */ \
+    X(x, "x") X(y, "y") X(z, "z") X(t, "t") X(u, "u") X(v, "v") X(pi, "pi") X(clock, "clock") \
+    X(clock_on, "clock_on") X(now, "now") X(version, "version") X(true_, "true") X(false_, "false") \
+    X(yes, "yes") X(no, "no") X(on, "on") X(off, "off") X(abs, "abs") X(acos, "acos") X(acosh, "acosh") \
+    X(asin, "asin") X(asinh, "asinh") X(atan, "atan") X(atan2, "atan2") X(atanh, "atanh") X(ceil, "ceil") \
+    X(cos, "cos") X(cosh, "cosh") X(degrees, "degrees") X(div, "div") X(exp, "exp") X(floor, "floor") \
+    X(int_, "int") X(ln, "ln") X(log, "log") X(max, "max") X(min, "min") X(mod, "mod") X(pow, "pow") \
+    X(radians, "radians") X(rand, "rand") X(seed, "seed") X(select, "select") X(sin, "sin") X(sinh, "sinh") \
+    X(sqr, "sqr") X(sqrt, "sqrt") X(tan, "tan") X(tanh, "tanh") X(bitwise_and, "bitwise_and") \
+    X(bitwise_or, "bitwise_or") X(bitwise_xor, "bitwise_xor") X(defined, "defined") X(vdot, "vdot") \
+    X(vlength, "vlength") X(vcross, "vcross") X(vnormalize, "vnormalize") X(vrotate, "vrotate") \
+    X(vaxis_rotate, "vaxis_rotate") X(asc, "asc") X(strcmp, "strcmp") X(strlen, "strlen") X(val, "val") \
+    /* functions that give strings: from str to strlwr */ \
+    X(str, "str") X(vstr, "vstr") X(concat, "concat") X(chr, "chr") X(substr, "substr") X(strupr, "strupr") \
+    X(strlwr, "strlwr") \
+    /* directives that are reserved words too */ \
+    X(break_, "break") X(case_, "case") X(debug, "debug") X(declare, "declare") X(default_, "default") \
+    X(else_, "else") X(elseif, "elseif") X(end, "end") X(error, "error") X(fclose, "fclose") X(fopen, "fopen") \
+    X(for_, "for") X(if_, "if") X(ifdef, "ifdef") X(ifndef, "ifndef") X(include, "include") X(local, "local") \
+    X(macro, "macro") X(range, "range") X(read, "read") X(render, "render") X(statistics, "statistics") \
+    X(switch_, "switch") X(undef, "undef") X(warning, "warning") X(while_, "while") X(write, "write")
+// clang-format on
 
 /// The words with a meaning in Proxima, numbered from 0.
 enum class Word : uint16_t {
