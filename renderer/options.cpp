@@ -5,6 +5,8 @@
 #include "renderer/option_values.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
 #include <unordered_set>
 
 namespace proxima {
@@ -179,12 +181,25 @@ RenderOptions read_render_options(const RenderTexts& texts) {
     return options;
 }
 
+/// CLI11 would only say that a command is missing.
+void check_command_name(int argc, const char* const* argv) {
+    static constexpr std::string_view names[] = {"render", "check", "devices"};
+    const std::string_view name = argc > 1 ? argv[1] : "";
+    if (name.starts_with('-') || std::find(std::begin(names), std::end(names), name) != std::end(names))
+        return;
+    if (name.empty())
+        throw UsageError("no command; write `proxima render SCENE`, or see `proxima --help`");
+    const std::string near = nearest_name(name, names);
+    throw UsageError(fmt::format("'{}' is no command; write one of {}{}", name, fmt::join(names, ", "),
+                                 near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+}
+
 } // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
     CLI::App app("Proxima renders scenes of spheres, written in a strict subset of POV-Ray's language.", "proxima");
     app.set_version_flag("--version", "proxima " PROXIMA_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     app.footer("`proxima COMMAND --help` tells more.\n"
                "Exit codes: 0 done; 1 the scene is wrong; 2 the command line is wrong; 3 a file could not be read or\n"
                "written; 33 out of memory; 75 a device was lost, try again elsewhere; 128+n after signal n.\n");
@@ -198,6 +213,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App* devices = app.add_subcommand("devices", "List what can render");
     devices->add_flag("--json", devices_options.json, "As JSON");
 
+    check_command_name(argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -211,6 +227,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         return read_render_options(render_texts);
     if (check->parsed())
         return CheckOptions{read_scene_options(check_texts)};
+    if (!devices->parsed())
+        throw UsageError("no command; write `proxima render SCENE`, or see `proxima --help`");
     return devices_options;
 }
 

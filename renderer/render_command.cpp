@@ -89,13 +89,13 @@ void render_command(const RenderOptions& options) {
     std::optional<tbb::global_control> limit;
     if (options.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
-    check_outputs(options);
     std::optional<ColorTransform> color;
     if (!is_scene_linear(options.type))
         color.emplace(options.color);
 
     auto starting_renderer = std::async(std::launch::async, make_renderer, options.device, options.threads);
     SceneSource scene(options.scene);
+    check_outputs(options);
     scene.load(animation.frames.front());
     std::fputs(scene.messages(false).c_str(), stderr);
     const std::unique_ptr<FrameRenderer> renderer = starting_renderer.get();

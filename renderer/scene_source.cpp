@@ -42,9 +42,8 @@ void SceneSource::reject_mistakes(const Diagnostics& diagnostics) const {
     if (!diagnostics.has_errors())
         return;
     const size_t count = diagnostics.error_count();
-    throw SceneRejected(fmt::format("{}: {} in the scene; each is shown above with what was expected",
-                                    options_.scene.string(),
-                                    count == 1 ? "a mistake" : fmt::format("{} mistakes", count)),
+    const std::string what = count == 1 ? "1 mistake; it is shown" : fmt::format("{} mistakes; they are shown", count);
+    throw SceneRejected(fmt::format("{}: the scene has {} above", options_.scene.string(), what),
                         diagnostics.format(script_->files()));
 }
 
