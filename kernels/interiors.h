@@ -65,11 +65,14 @@ template <class Real> HD Real ior_of(const SceneView<Real>& scene, uint32_t prim
     return primitive == no_primitive ? Real(1) : Real(interior_of(scene, primitive).ior);
 }
 
-/// For Fresnel's equation: the index on the far side of a primitive's surface over that of the near side.
+/// For Fresnel's equation: the index on the far side of a primitive's surface over that of the near side. On the way
+/// out the far side is taken to be what the ray entered last, the primitive itself included, as POV-Ray has it.
 template <class Real>
 HD Real far_over_near_ior(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
     const Real own = ior_of(scene, primitive);
-    return interiors.contains(primitive) ? Real(1) / own : own / ior_of(scene, interiors.last());
+    if (!interiors.contains(primitive))
+        return own / ior_of(scene, interiors.last());
+    return (interiors.count > 1 ? ior_of(scene, interiors.last()) : Real(1)) / own;
 }
 
 /// For Snell's law: the index on the near side over that of the far side, by what the ray has entered. A ray that
@@ -84,32 +87,26 @@ HD Real crossing_ior_ratio(const SceneView<Real>& scene, const InteriorList& int
     return own / ior_of(scene, interiors.count > 1 ? interiors.ids[interiors.count - 2] : no_primitive);
 }
 
-/// The interiors around a point that rays can be in: those of transparent primitives, or ones that bend light.
+/// The primitives around a point, opaque ones too, in the order of their ids.
 template <class Real> HD InteriorList interiors_at(const SceneView<Real>& scene, const Vec3<Real>& point) {
     InteriorList list;
     for_each_around(scene, point, [&](uint32_t id) {
-        const Material& material = scene.surfaces.materials[scene.geometry.material(id)];
-        const bool counts = (material.flags & material_transparent) || interior_of(scene, id).ior != 1;
-        if (counts && contains(scene.geometry, id, point))
+        if (contains(scene.geometry, id, point))
             list.enter_sorted(id);
     });
     return list;
 }
 
-/// What is left of light after a way of length `distance` through all of the list.
-template <class Real> HD Vec3<Real> attenuation(const SceneView<Real>& scene, const InteriorList& list, Real distance) {
-    Vec3<Real> left(Real(1));
-    for (uint32_t i = 0; i < list.count; ++i) {
-        const Interior& interior = interior_of(scene, list.ids[i]);
-        if (!(interior.fade_power > 0) || !(magnitude(interior.fade_distance) > 1e-10f))
-            continue;
-        const Real depth = distance / Real(interior.fade_distance);
-        const Real clear = interior.fade_power >= 1000 ? exponential(-depth)
-                                                       : Real(1) / (Real(1) + power(depth, Real(interior.fade_power)));
-        const Vec3<Real> tint(interior.fade_color);
-        left *= tint + (Vec3<Real>(Real(1)) - tint) * clear;
-    }
-    return left;
+/// What is left of light that leaves a primitive's inside after a way of length `distance` since its last hit.
+/// As in POV-Ray, no other interior that the ray is in counts.
+template <class Real> HD Vec3<Real> attenuation(const Interior& interior, Real distance) {
+    if (!(interior.fade_power > 0) || !(magnitude(interior.fade_distance) > 1e-10f))
+        return Vec3<Real>(Real(1));
+    const Real depth = distance / Real(interior.fade_distance);
+    const Real clear = interior.fade_power >= 1000 ? exponential(-depth)
+                                                   : Real(1) / (Real(1) + power(depth, Real(interior.fade_power)));
+    const Vec3<Real> tint(interior.fade_color);
+    return tint + (Vec3<Real>(Real(1)) - tint) * clear;
 }
 
 } // namespace proxima

@@ -43,7 +43,8 @@ HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Real>& 
                 return Vec3<Real>(Real(0));
             light *= material_transmission(scene, material, blocker.point);
             if (scene.has_fading) {
-                light *= attenuation(scene, inside, distance_passed(based, passed, hit));
+                if (inside.contains(blocker.primitive))
+                    light *= attenuation(interior_of(scene, blocker.primitive), distance_passed(based, passed, hit));
                 inside.toggle(blocker.primitive);
                 interiors.overflow |= inside.overflow;
             }

@@ -41,7 +41,7 @@ template <class Real, Features features> struct Tracer {
 
     /// Goes to the next surface, adds its light, and turns the path into what goes on from there. False when it ends.
     HD bool advance(PathState<Real>& path) {
-        if (path.level >= scene.max_trace_level || path.weight < Real(scene.adc_bailout))
+        if (path.weight < Real(scene.adc_bailout))
             return false;
         const BasedRay<Real> based = rebase(path.ray, scene.geometry.bounds);
         const HitLimits<Real>& limits = scene.limits;
@@ -56,15 +56,13 @@ template <class Real, Features features> struct Tracer {
         if constexpr (features != Features::opaque)
             ior = far_over_near_ior(scene, interiors, surface.primitive);
         const LayerStack<Real> layers{scene, surface, -glm::dot(direction, surface.normal), ior};
-        if (transparent && scene.has_fading)
-            path.throughput *= attenuation(scene, interiors, distance_passed(based, path.passed, hit));
         sum += path.throughput * layers.glow();
         for (const Light<Real>& light : scene.lights)
             sum += path.throughput * light_from(light, surface, layers, direction);
         if constexpr (features == Features::opaque)
             return false;
         else
-            return go_on(path, surface, layers, hit);
+            return go_on(path, surface, layers, hit, distance_passed(based, path.passed, hit));
     }
 
     /// What the surface sends back of one light.
@@ -85,12 +83,19 @@ template <class Real, Features features> struct Tracer {
 
     /// The transmitted ray waits longest, so that at most one set of a surface's rays waits for each level of a path.
     HD bool go_on(PathState<Real>& path, const Surface<Real>& surface, const LayerStack<Real>& layers,
-                  const Hit<Real>& hit) {
+                  const Hit<Real>& hit, Real distance) {
+        if (path.level + 1 >= scene.max_trace_level)
+            return false; // even for a ray that goes straight on, which takes no level
         const bool reflects = scene.surfaces.materials[surface.material].flags & material_reflective;
         if constexpr (transparent) {
             const Vec3<Real> transmission = layers.transmission();
             if (magnitude(grey(transmission)) > Real(scene.adc_bailout)) {
                 PathState<Real> through = path;
+                if (scene.has_fading && interiors.contains(surface.primitive)) {
+                    const Vec3<Real> left = attenuation(interior_of(scene, surface.primitive), distance);
+                    through.throughput *= left;
+                    through.weight *= max_component(left);
+                }
                 InteriorList behind;
                 behind.copy_from(interiors);
                 if (!transmit(through, behind, transmission, surface, hit)) {

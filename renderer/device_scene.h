@@ -119,7 +119,6 @@ private:
     float gamma_ = 1.0f;
 };
 
-/// Looks at the materials, and counts transparent primitives only as far as a list of interiors can hold.
 inline SceneNeeds needs_of(const SceneProgram& scene) {
     SceneNeeds needs;
     uint32_t most_rays = 0;
@@ -149,17 +148,8 @@ inline SceneNeeds needs_of(const SceneProgram& scene) {
     needs.features = Features::all;
     const uint32_t waiting = most_rays - (has_exponent ? 0 : 1); // one goes on; a mark takes a place as well
     needs.stack_entries = std::max(1u, waiting) * scene.max_trace_level;
-    const auto count = [&](uint32_t material) {
-        const Material& m = scene.materials[material];
-        const bool counts = (m.flags & material_transparent) || scene.interiors[m.interior].ior != 1;
-        needs.interior_capacity += counts && needs.interior_capacity < InteriorList::capacity;
-    };
-    for (const uint32_t material : scene.sphere_materials)
-        count(material);
-    for (const Ellipsoid<double>& ellipsoid : scene.ellipsoids)
-        count(ellipsoid.material);
-    for (const Plane<double>& plane : scene.planes)
-        count(plane.material);
+    const size_t primitives = scene.spheres.size() + scene.ellipsoids.size() + scene.planes.size();
+    needs.interior_capacity = uint32_t(std::min<size_t>(primitives, InteriorList::capacity));
     return needs;
 }
 
