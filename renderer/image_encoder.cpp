@@ -10,7 +10,10 @@
 namespace proxima {
 namespace {
 
-constexpr int png_compression = 2; ///< of 9; a higher one costs more time than it saves space
+// Measured on two scenes at 8 bits: half the time of libpng's adaptive filters, and files from 36 % smaller to 6 %
+// larger.
+constexpr int png_compression = 2; ///< of 9
+constexpr int png_no_filter = 8;   ///< PNG_FILTER_NONE
 constexpr int jpeg_quality = 95;   ///< of 100
 constexpr float rec709_chromaticities[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
 
@@ -59,6 +62,8 @@ OIIO::ImageSpec describe(const EncodeRequest& request) {
         break;
     case ImageFormat::png:
         spec.attribute("png:compressionLevel", png_compression);
+        if (request.type == SampleType::uint8)
+            spec.attribute("png:filter", png_no_filter);
         break;
     case ImageFormat::tiff:
         spec.attribute("compression", "zip");

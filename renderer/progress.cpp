@@ -9,6 +9,7 @@
 #include <string_view>
 #include <sys/ioctl.h>
 #include <unistd.h>
+#include <utility>
 
 namespace proxima {
 namespace {
@@ -88,11 +89,12 @@ void Progress::draw_bar() {
     const size_t room =
         std::clamp<size_t>(terminal_width(), counts.size() + 14, counts.size() + 54) - counts.size() - 4;
     const size_t filled = room * done_ / total_;
+    drawn_ = true;
     print(fmt::format("\r[{}{}]{:<12}", std::string(filled, '='), std::string(room - filled, ' '), counts));
 }
 
 void Progress::erase_bar() {
-    if (bar_)
+    if (std::exchange(drawn_, false))
         print(fmt::format("\r{}\r", std::string(terminal_width() - 1, ' ')));
 }
 

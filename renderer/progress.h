@@ -32,6 +32,7 @@ private:
 
     ProgressStyle style_;
     bool bar_ = false;
+    bool drawn_ = false; ///< the bar stands on the terminal's last line
     size_t total_;
     size_t done_ = 0;
     Stopwatch watch_;

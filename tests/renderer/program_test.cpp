@@ -3,6 +3,7 @@
 #include "tests/process.h"
 
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <doctest/doctest.h>
@@ -11,6 +12,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <thread>
 
 using namespace proxima::testing;
@@ -150,6 +152,30 @@ TEST_CASE("program: statistics are one JSON object") {
     CHECK(json["frames"][2]["file"] == "a.0003.exr");
     CHECK(json["frames"][2]["device"] == "cpu");
     CHECK(json["wall_ms"] > 0);
+}
+
+TEST_CASE(
+    "program: progress is a line a frame, or a JSON object a line, and no escape codes where there is no terminal") {
+    const Workplace work;
+    const std::vector<std::string> animation{"moving.scn", "-o", "a.#.png", "--frames", "1-3", "--progress"};
+    const auto with = [&](const std::string& style) {
+        auto arguments = animation;
+        arguments.push_back(style);
+        return work.render(arguments).standard_error;
+    };
+    for (const char* style : {"auto", "plain"}) {
+        const std::string text = with(style);
+        CHECK(std::count(text.begin(), text.end(), '\n') == 3);
+        CHECK(says(text, "wrote a.0002.png (2 of 3, "));
+        CHECK_FALSE(says(text, "\r"));
+        CHECK_FALSE(says(text, "\033"));
+    }
+    std::istringstream lines(with("json"));
+    size_t count = 0;
+    for (std::string line; std::getline(lines, line);)
+        CHECK(nlohmann::json::parse(line)["done"] == ++count);
+    CHECK(count == 3);
+    CHECK(with("none").empty());
 }
 
 TEST_CASE("program: check counts what is in a scene") {
