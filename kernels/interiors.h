@@ -103,10 +103,12 @@ template <class Real> HD Vec3<Real> attenuation(const Interior& interior, Real d
     if (!(interior.fade_power > 0) || !(magnitude(interior.fade_distance) > 1e-10f))
         return Vec3<Real>(Real(1));
     const Real depth = distance / Real(interior.fade_distance);
-    const Real clear = interior.fade_power >= 1000 ? exponential(-depth)
-                                                   : Real(1) / (Real(1) + power(depth, Real(interior.fade_power)));
     const Vec3<Real> tint(interior.fade_color);
-    return tint + (Vec3<Real>(Real(1)) - tint) * clear;
+    const Vec3<Real> darkening = Vec3<Real>(Real(1)) - tint;
+    if (interior.fade_power >= 1000) // POV-Ray's sign for Beer's law
+        return {exponential(-depth * darkening.x), exponential(-depth * darkening.y),
+                exponential(-depth * darkening.z)};
+    return tint + darkening / (Real(1) + power(depth, Real(interior.fade_power)));
 }
 
 } // namespace proxima

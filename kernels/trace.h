@@ -94,7 +94,6 @@ template <class Real, Features features> struct Tracer {
                 if (scene.has_fading && interiors.contains(surface.primitive)) {
                     const Vec3<Real> left = attenuation(interior_of(scene, surface.primitive), distance);
                     through.throughput *= left;
-                    through.weight *= max_component(left);
                 }
                 InteriorList behind;
                 behind.copy_from(interiors);
