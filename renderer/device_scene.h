@@ -5,6 +5,7 @@
 #include "kernels/scene_view.h"
 #include "kernels/trace.h"
 #include "parser/scene_program.h"
+#include "renderer/spatial_order.h"
 
 #include <algorithm>
 #include <span>
@@ -52,8 +53,7 @@ public:
           lights_(backend) {}
 
     void upload(const SceneProgram& scene) {
-        upload_converted(spheres_, scene.spheres);
-        upload_copy(sphere_materials_, scene.sphere_materials);
+        upload_spheres(scene);
         upload_converted(ellipsoids_, scene.ellipsoids);
         upload_converted(planes_, scene.planes);
         upload_copy(materials_, scene.materials);
@@ -95,6 +95,12 @@ public:
 private:
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
+    void upload_spheres(const SceneProgram& scene) {
+        const std::vector<uint32_t> order = spatial_order(scene);
+        const auto original = [&](size_t i) { return order.empty() ? i : order[i]; };
+        spheres_.upload(scene.spheres.size(), [&](size_t i) { return convert<Real>(scene.spheres[original(i)]); });
+        sphere_materials_.upload(scene.spheres.size(), [&](size_t i) { return scene.sphere_materials[original(i)]; });
+    }
     template <class T> static void upload_copy(Buffer<T>& buffer, const std::vector<T>& values) {
         buffer.upload(values.size(), [&](size_t i) { return values[i]; });
     }
