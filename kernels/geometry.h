@@ -46,33 +46,46 @@ template <class Real> HD Box<Real> bounding_box(const Ellipsoid<Real>& ellipsoid
     return {map.offset - half, map.offset + half};
 }
 
-/// The smallest of a sphere's two distances along `ray` that lies beyond `nearest`; infinity when there is none. The
-/// ray must pass the centre within a half chord of more than sqrt(min_half_chord2).
+/// Where a ray enters and leaves a shape; both infinite when it misses.
+template <class Real> struct Chord {
+    Real near = infinity<Real>;
+    Real far = infinity<Real>;
+
+    /// The first of the two that lies beyond `nearest`; infinity when there is none.
+    HD Real beyond(Real nearest) const { return near > nearest ? near : far > nearest ? far : infinity<Real>; }
+};
+
+/// A sphere's chord along `ray`, which must be longer than 2 sqrt(min_half_chord2).
 /// Stable form: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
-template <class Real>
-HD Real intersect(const Sphere<Real>& sphere, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
+template <class Real> HD Chord<Real> chord(const Sphere<Real>& sphere, const Ray<Real>& ray, Real min_half_chord2) {
     const Vec3<Real> from_center = ray.origin - sphere.center;
     const Real b = -glm::dot(from_center, ray.direction);
     const Vec3<Real> closest = from_center + b * ray.direction;
     const Real radius2 = sphere.radius * sphere.radius;
     const Real half_chord2 = radius2 - glm::dot(closest, closest);
     if (!(half_chord2 > min_half_chord2))
-        return infinity<Real>;
+        return {};
     const Real half_chord = square_root(half_chord2);
     const Real q = b < 0 ? b - half_chord : b + half_chord;
     const Real other = (glm::dot(from_center, from_center) - radius2) / q;
-    const Real near = b < 0 ? q : other;
-    const Real far = b < 0 ? other : q;
-    return near > nearest ? near : far > nearest ? far : infinity<Real>;
+    return b < 0 ? Chord<Real>{q, other} : Chord<Real>{other, q};
 }
 
-/// As for a sphere; the half chord is measured in the ellipsoid's own space.
+/// The smallest of a sphere's two distances along `ray` that lies beyond `nearest`; infinity when there is none.
+template <class Real>
+HD Real intersect(const Sphere<Real>& sphere, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
+    return chord(sphere, ray, min_half_chord2).beyond(nearest);
+}
+
+/// As for a sphere; the half chord is measured in the ellipsoid's own space. `nearest` is compared with the distances
+/// that are returned, so that a ray that goes on from one of them never finds it again.
 template <class Real>
 HD Real intersect(const Ellipsoid<Real>& ellipsoid, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
     const Vec3<Real> direction = ellipsoid.object_from_world.direction(ray.direction);
     const Real length = glm::length(direction);
     const Ray<Real> seen{ellipsoid.object_from_world.point(ray.origin), direction / length};
-    return intersect(Sphere<Real>{}, seen, nearest * length, min_half_chord2) / length;
+    const Chord<Real> in_object = chord(Sphere<Real>{}, seen, min_half_chord2);
+    return Chord<Real>{in_object.near / length, in_object.far / length}.beyond(nearest);
 }
 
 /// The distance to a plane if it lies beyond `nearest`, else infinity. Rays within `min_cosine` of the plane miss it.
