@@ -85,6 +85,8 @@ Terms Evaluator::color() {
     }
     for (bool more = true; more;) {
         more = false;
+        if (next_operator() == TokenKind::directive)
+            break;
         for (const Channel& channel : channels) {
             if (!accept(channel.word))
                 continue;

@@ -83,8 +83,7 @@ void Evaluator::run_declare(const Token& directive) {
         Value value = right_hand_side();
         // POV-Ray insists on the semicolon after numbers, and on its standing right there.
         if (std::holds_alternative<Terms>(value)) {
-            const Token& token = peek();
-            if (token.kind != TokenKind::semicolon || directives_run_ != directives_at_last_token_)
+            if (cursor_->kind != TokenKind::semicolon || directive_before_)
                 throw SceneError(declared, fmt::format("this {} lacks its ';'", spelling(directive)),
                                  "a #declare of a number, vector or color ends in ';', with no directive before it");
             advance();
@@ -144,9 +143,10 @@ Value Evaluator::right_hand_side() {
         return std::make_shared<const Light<double>>(light_source());
     if (accept(Word::transform))
         return std::make_shared<const TransformPair>(transform_block());
-    if (token.kind == TokenKind::word && starts_color())
-        return color();
-    return sum();
+    bare_nesting_ = nesting_;
+    const Terms terms = token.kind == TokenKind::word && starts_color() ? color() : sum();
+    bare_nesting_ = SIZE_MAX;
+    return terms;
 }
 
 void Evaluator::run_default() {

@@ -19,7 +19,7 @@ void Evaluator::run_directive() {
         return end_text();
     if (++steps_ > settings_.step_limit)
         fail_steps();
-    ++directives_run_;
+    const Nesting nesting(*this);
     if (!in_item_)
         item_start_ = cursor_;
     switch (directive.directive) {
@@ -90,7 +90,7 @@ bool Evaluator::condition(const Token& directive) {
         if (value.count != 1)
             fail(at, "a condition must be a number");
         expect(TokenKind::right_paren);
-        return std::abs(value.value[0]) >= epsilon;
+        return std::abs(value.value[0]) > epsilon;
     }
     // #ifdef and #ifndef take a name as it stands.
     const bool brackets = cursor_->kind == TokenKind::left_paren && cursor_[1].kind == TokenKind::name &&

@@ -22,16 +22,16 @@ template <class Operation> void combine(Terms& left, Terms right, Operation oper
 }
 
 bool is_true(double value) {
-    return std::abs(value) >= 1e-10;
+    return std::abs(value) > 1e-10;
 }
 
 bool compare(TokenKind relation, double a, double b) {
     constexpr double epsilon = 1e-10;
     switch (relation) {
     case TokenKind::left_angle:
-        return a < b && std::abs(a - b) > epsilon;
+        return a < b;
     case TokenKind::right_angle:
-        return a > b && std::abs(a - b) > epsilon;
+        return a > b;
     case TokenKind::less_equal:
         return a <= b + epsilon;
     case TokenKind::greater_equal:
@@ -92,10 +92,7 @@ Terms Evaluator::relation() {
         advance();
         if (token.kind == TokenKind::equal && peek().kind == TokenKind::equal)
             fail(token, "there is no operator '=='", "'=' alone compares");
-        const Terms right = sum();
-        if (left.count != 1 || right.count != 1)
-            fail(token, fmt::format("'{}' compares numbers, not vectors", spelling(token)));
-        left = Terms(compare(token.kind, left.value[0], right.value[0]) ? 1.0 : 0.0);
+        combine(left, sum(), [&](double a, double b) { return compare(token.kind, a, b) ? 1.0 : 0.0; });
     }
 }
 
@@ -110,10 +107,15 @@ bool Evaluator::string_relation() {
     return compare(kind, left.compare(string()), 0);
 }
 
+/// What may continue an expression. The value of a #declare ends at a directive unless it stands in brackets.
+TokenKind Evaluator::next_operator() {
+    return nesting_ == bare_nesting_ && cursor_->kind == TokenKind::directive ? TokenKind::directive : peek().kind;
+}
+
 Terms Evaluator::sum() {
     Terms left = product();
     for (;;) {
-        const TokenKind kind = peek().kind;
+        const TokenKind kind = next_operator();
         if (kind == TokenKind::plus) {
             advance();
             combine(left, product(), [](double a, double b) { return a + b; });
@@ -129,11 +131,12 @@ Terms Evaluator::sum() {
 Terms Evaluator::product() {
     Terms left = factor();
     for (;;) {
-        const Token& token = peek();
-        if (token.kind == TokenKind::star) {
+        const TokenKind kind = next_operator();
+        const Token& token = *cursor_;
+        if (kind == TokenKind::star) {
             advance();
             combine(left, factor(), [](double a, double b) { return a * b; });
-        } else if (token.kind == TokenKind::slash) {
+        } else if (kind == TokenKind::slash) {
             advance();
             const Terms right = factor();
             // A vector is padded with zeros where the other side is longer: POV-Ray warns and goes on with infinity.
@@ -197,8 +200,7 @@ Terms Evaluator::name_factor(const Token& name) {
         fail_unexpected("a number or a vector");
     Terms terms = *value;
     advance();
-    if (cursor_->kind >= TokenKind::dot)
-        access(terms);
+    access(terms);
     return terms;
 }
 
@@ -221,8 +223,9 @@ Terms Evaluator::vector_literal() {
 }
 
 void Evaluator::access(Terms& terms) {
-    if (!accept(TokenKind::dot))
+    if (cursor_->kind != TokenKind::dot)
         return;
+    advance();
     struct Member {
         Word word;
         int index;

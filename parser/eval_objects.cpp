@@ -186,8 +186,7 @@ uint32_t Evaluator::literal_texture(const SphereRun& run, size_t index) {
     if (binding)
         fail(token, fmt::format("unexpected '{}', which is {}", spelled, value_description(binding->value)),
              "expected the name of a texture");
-    const std::string near = suggestion(spelled);
-    fail(token, fmt::format("'{}' is not declared", spelled), near.empty() ? "expected the name of a texture" : near);
+    fail_undeclared(token, spelled, "the name of a texture");
 }
 
 /// Moves the rest of the run under the cursor into the scene.

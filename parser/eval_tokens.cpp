@@ -105,13 +105,19 @@ void Evaluator::fail_unexpected(const std::string& expected) {
     case TokenKind::name:
         if (const Binding* binding = scopes_.find(token.index))
             fail(token, fmt::format("unexpected '{}', which is {}", text, value_description(binding->value)), hint);
-        if (const std::string near = suggestion(text); !near.empty())
-            fail(token, fmt::format("'{}' is not declared", text), near);
-        fail(token, fmt::format("'{}' is not declared", text), hint);
+        fail_undeclared(token, text, expected);
     default:
         break;
     }
     fail(token, fmt::format("unexpected '{}'", text), hint);
+}
+
+void Evaluator::fail_undeclared(const Token& token, std::string_view name, const std::string& expected) {
+    // The mistake in its declaration was reported: this one only follows from it.
+    if (failed_names_.contains(sources_.symbols.intern(name)))
+        throw SceneError(span(token), "");
+    const std::string near = suggestion(name);
+    fail(token, fmt::format("'{}' is not declared", name), near.empty() ? "expected " + expected : near);
 }
 
 /// For the message about a text that ends too soon.
@@ -134,7 +140,7 @@ std::string Evaluator::suggestion(std::string_view name) const {
     for (Symbol symbol = 0; symbol < scopes_.bindings().size(); ++symbol)
         if (!scopes_.bindings()[symbol].empty())
             candidates.push_back(sources_.symbols.name(symbol));
-    for (Symbol symbol = 0; symbol < uint32_t(Word::first_unsupported); ++symbol)
+    for (Symbol symbol = 0; symbol < uint32_t(Word::break_); ++symbol)
         candidates.push_back(sources_.symbols.name(symbol));
     const std::string near = nearest_name(name, candidates);
     return near.empty() ? "" : fmt::format("did you mean '{}'?", near);

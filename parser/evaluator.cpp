@@ -28,7 +28,8 @@ SceneProgram Evaluator::run() {
             }
             more = false;
         } catch (const SceneError& error) {
-            diagnostics_.report(error.diagnostic);
+            if (!error.diagnostic.message.empty())
+                diagnostics_.report(error.diagnostic);
             more = steps_ <= settings_.step_limit && diagnostics_.error_count() < 200;
             if (more)
                 recover();
@@ -77,6 +78,7 @@ bool Evaluator::item() {
 /// item. Loops around it end after this round.
 void Evaluator::recover() {
     nesting_ = 0;
+    bare_nesting_ = SIZE_MAX;
     run_position_ = 0;
     while (in_item_ && frames_.size() > item_frames_)
         end_text();
@@ -94,10 +96,12 @@ void Evaluator::recover() {
         token = closing;
     }
     if (!target) {
-        if (cursor_->kind != TokenKind::end_of_text)
+        const bool at_end_of_item = cursor_->kind == TokenKind::right_brace || cursor_->kind == TokenKind::semicolon;
+        const bool at_next_item = cursor_->kind == TokenKind::directive && cursor_ != start;
+        if (cursor_->kind != TokenKind::end_of_text && !at_next_item)
             ++cursor_;
-        for (target = cursor_; target->kind != TokenKind::end_of_text && target->kind != TokenKind::directive &&
-                               target->kind != TokenKind::sphere_run;
+        for (target = cursor_; !at_end_of_item && target->kind != TokenKind::end_of_text &&
+                               target->kind != TokenKind::directive && target->kind != TokenKind::sphere_run;
              ++target) {
             if (target->kind == TokenKind::semicolon || target->kind == TokenKind::right_brace) {
                 ++target;

@@ -54,8 +54,10 @@ private:
 
     // eval_tokens.cpp: the stream of tokens
     const Token& peek() {
-        while (cursor_->kind >= TokenKind::directive && !at_end())
+        while (cursor_->kind >= TokenKind::directive && !at_end()) {
             run_directive();
+            directive_before_ = true;
+        }
         return *cursor_;
     }
     const Token& next() {
@@ -66,7 +68,7 @@ private:
     bool at_end() const { return cursor_->kind == TokenKind::end_of_text && frames_.empty(); }
     void advance() {
         ++cursor_;
-        directives_at_last_token_ = directives_run_;
+        directive_before_ = false;
         if (++steps_ > settings_.step_limit)
             fail_steps();
     }
@@ -79,6 +81,7 @@ private:
     [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {}) const;
     [[noreturn]] void fail_unexpected(const std::string& expected);
     [[noreturn]] void fail_steps();
+    [[noreturn]] void fail_undeclared(const Token& token, std::string_view name, const std::string& expected);
     std::string unclosed_item() const;
     std::string suggestion(std::string_view name) const;
     void warn(const Token& token, std::string message, std::string hint = {});
@@ -120,6 +123,7 @@ private:
     Terms logical();
     Terms relation();
     bool string_relation();
+    TokenKind next_operator();
     Terms sum();
     Terms product();
     Terms factor();
@@ -212,9 +216,9 @@ private:
     size_t item_frames_ = 0;
     bool in_item_ = false;
     uint64_t steps_ = 0;
-    uint64_t directives_run_ = 0;
-    uint64_t directives_at_last_token_ = 0;
-    uint64_t changes_ = 0; ///< of anything that a condition may depend on
+    bool directive_before_ = false; ///< a directive ran since the last token
+    size_t bare_nesting_ = SIZE_MAX; ///< where an expression ends at a directive: see next_operator
+    uint64_t changes_ = 0;          ///< of anything that a condition may depend on
     size_t nesting_ = 0;
     size_t includes_ = 0;
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grammar by itself: which texts its rules match, and that none of them can loop without consuming.
+#include "parser/grammar.h"
+
+#include <doctest/doctest.h>
+#include <string>
+#include <tao/pegtl/contrib/analyze.hpp>
+
+namespace tao::pegtl {
+
+template <class Name> struct analyze_traits<Name, proxima::grammar::comment_rest> : analyze_any_traits<> {};
+
+} // namespace tao::pegtl
+
+using namespace proxima;
+
+namespace {
+
+/// Whether `Rule` matches the text from its beginning to its end.
+template <class Rule> bool matches(const std::string& text) {
+    grammar::pegtl::memory_input<> input(text, "");
+    return grammar::pegtl::parse<grammar::pegtl::seq<Rule, grammar::pegtl::eof>>(input);
+}
+
+} // namespace
+
+TEST_CASE("grammar: no rule can loop without consuming") {
+    CHECK(grammar::pegtl::analyze<grammar::scene>(0) == 0);
+}
+
+TEST_CASE("grammar: numbers are written as in POV-Ray") {
+    for (const char* text : {"0", "12", "1.5", ".5", "5.", "1e3", "1.5E-3", ".5e+10"}) {
+        CAPTURE(std::string(text));
+        CHECK(matches<grammar::whole_number>(text));
+    }
+    for (const char* text : {"", ".", "-1", "1e", "1.5.2", "e5", "0x10"}) {
+        CAPTURE(std::string(text));
+        CHECK(!matches<grammar::whole_number>(text));
+    }
+}
+
+TEST_CASE("grammar: comments nest and end where they began") {
+    for (const char* text :
+         {"", " \t\r\n", "// to the end", "// a\n// b\n", "/* a */", "/* a /* b */ c */", "/***/", "/* // */"}) {
+        CAPTURE(std::string(text));
+        CHECK(matches<grammar::space>(text));
+    }
+    for (const char* text : {"/*", "/* a", "/* /* */", "/*/"}) {
+        CAPTURE(std::string(text));
+        CHECK(!matches<grammar::space>(text));
+    }
+}
+
+TEST_CASE("grammar: names have letters, digits and underscores") {
+    for (const char* text : {"a", "A1", "_x", "Long_Name_2"}) {
+        CAPTURE(std::string(text));
+        CHECK(matches<grammar::identifier>(text));
+    }
+    for (const char* text : {"1a", "a-b", "", "a.b"}) {
+        CAPTURE(std::string(text));
+        CHECK(!matches<grammar::identifier>(text));
+    }
+}
+
+TEST_CASE("grammar: strings end on their line") {
+    CHECK(matches<grammar::text>("\"\""));
+    CHECK(matches<grammar::text>("\"a \\\" b\""));
+    CHECK(!matches<grammar::text>("\"a"));
+    CHECK(!matches<grammar::text>("\"a\nb\""));
+}
+
+TEST_CASE("grammar: a literal sphere is numbers and at most the name of a texture") {
+    for (const char* text : {"sphere{<1,2,3>,4}", "sphere { < -1 , .2 , 3e5 > , 0.5 }",
+                             "sphere { <1,2,3>, 4 texture { T } }", "sphere /* a */ { <1,2,3>, // b\n 4 texture{T}}"}) {
+        CAPTURE(std::string(text));
+        CHECK(matches<grammar::literal_sphere>(text));
+    }
+    for (const char* text :
+         {"sphere { <1,2>, 3 }", "sphere { 0, 1 }", "sphere { <1,2,3>, 2*2 }", "sphere { <1,2,3>, 4 pigment { P } }",
+          "spheres { <1,2,3>, 4 }", "sphere { <1,2,3>, 4 texture { T scale 2 } }"}) {
+        CAPTURE(std::string(text));
+        CHECK(!matches<grammar::literal_sphere>(text));
+    }
+}

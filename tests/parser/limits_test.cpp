@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes that would take for ever, or the whole stack.
+#include "tests/parser/evaluate.h"
+
+using namespace proxima;
+using namespace proxima::testing;
+
+TEST_CASE("limits: a loop in which nothing changes is found at once") {
+    const std::string message = "this loop never ends: nothing that its condition could depend on changes in it";
+    CHECK(error_of("#while (1) #end") == message);
+    CHECK(error_of("#declare I = 0; #while (I < 5) sphere { I, 1 } #end") == message);
+    CHECK(error_of("#declare I = 0; #while (I < 5) #declare J = 2; #end") == message);
+}
+
+TEST_CASE("limits: other endless loops end at the step limit, which names the loop") {
+    EvaluationSettings settings;
+    settings.step_limit = 100'000;
+    const Evaluated result = evaluate("#declare I = 0;\n#while (1) #declare I = I + 1; #end", settings);
+    CHECK(result.messages.find("scene:2:1: error: the scene takes more than 100000 steps to evaluate") == 0);
+    CHECK(error_of("#for (I, 0, 1e12) #end", settings) == "the scene takes more than 100000 steps to evaluate");
+}
+
+TEST_CASE("limits: nesting of every kind ends in a message") {
+    const auto repeat = [](const std::string& text, int count) {
+        std::string result;
+        for (int i = 0; i < count; ++i)
+            result += text;
+        return result;
+    };
+    const std::string deep = "this is nested more than 200 deep";
+    CHECK(error_of("sphere { " + repeat("-", 100'000) + "1, 1 }") == deep);
+    CHECK(error_of("sphere { " + repeat("!", 100'000) + "1, 1 }") == deep);
+    CHECK(error_of("sphere { (1 " + repeat("? 2 : 1 ", 100'000) + "), 1 }") == deep);
+    CHECK(error_of("sphere { " + repeat("<", 100'000) + ", 1 }") == deep);
+    CHECK(error_of(repeat("union { ", 100'000)) == "brackets stand in each other more than 200 deep");
+    CHECK(error_of("sphere { " + repeat("sin(", 100'000) + ", 1 }") ==
+          "brackets stand in each other more than 200 deep");
+    CHECK(error_of("sphere { 0, 1 " + repeat("texture { pigment { ", 150) + "}") ==
+          "brackets stand in each other more than 200 deep");
+    CHECK(error_of(repeat("#declare A = ", 100'000)) != "");
+}
+
+TEST_CASE("limits: strings do not grow without end") {
+    CHECK(error_of("#declare S = \"abcdefgh\" #for (I, 1, 40) #declare S = concat(S, S) #end") ==
+          "this string is longer than a million characters");
+    CHECK(evaluate("#warning str(1, 1e9, 1e9)").diagnostics.error_count() == 0);
+}
+
+TEST_CASE("limits: numbers that overflow a place are refused") {
+    CHECK(error_of("sphere { 1e308*10, 1 }") == "a vector is not finite");
+    CHECK(error_of("sphere { 0, 1e308*10 }") == "the radius of a sphere must be finite");
+    CHECK(error_of("sphere { 0, 1 pigment { rgb 1e308*10 } }") == "this color is not finite");
+    CHECK(error_of("#for (I, 0, 1e308*10) #end") == "the bounds of a loop must be finite");
+}
