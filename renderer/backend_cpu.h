@@ -4,6 +4,7 @@
 #include "renderer/device_error.h"
 #include "renderer/memory_meter.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -11,10 +12,12 @@
 #include <string>
 #include <sys/mman.h>
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace proxima {
@@ -24,8 +27,8 @@ public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
 
-    /// `threads` 0 is one for each core that the process may use.
-    explicit CpuBackend(unsigned threads = 0) : arena_(threads ? int(threads) : tbb::task_arena::automatic) {}
+    /// `threads` 0 is one for each core that the process may use; there are never more.
+    explicit CpuBackend(unsigned threads = 0) : arena_(usable(threads)) {}
 
     template <class T> class Buffer;
 
@@ -65,6 +68,11 @@ public:
     void exclusive_scan(std::span<uint32_t> numbers);
 
 private:
+    static int usable(unsigned threads) {
+        const int cores = tbb::info::default_concurrency();
+        return threads ? std::min(int(threads), cores) : cores;
+    }
+
     tbb::task_arena arena_;
     MemoryMeter memory_;
 };

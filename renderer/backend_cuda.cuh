@@ -30,7 +30,7 @@ class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
 
-    explicit CudaBackend(int ordinal)
+    explicit CudaBackend(int ordinal = 0)
         : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this) {}
 
     template <class T> class Buffer;

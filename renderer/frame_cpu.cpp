@@ -20,7 +20,8 @@ DeviceDescription describe_cpu(unsigned threads) {
             break;
         }
     description.memory = uint64_t(sysconf(_SC_PHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE));
-    const int used = threads ? int(threads) : tbb::this_task_arena::max_concurrency();
+    const int cores = tbb::info::default_concurrency();
+    const int used = threads ? std::min(int(threads), cores) : cores;
     description.note = std::to_string(used) + (used == 1 ? " thread" : " threads");
     return description;
 }

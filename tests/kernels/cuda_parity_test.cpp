@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The GPU against the CPU: the same hits, and light within 1e-5.
+#include "renderer/device_error.h"
+#include "tests/kernels/test_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace proxima;
+using namespace proxima::test;
+
+namespace {
+
+double largest_difference(const Image& a, const Image& b) {
+    double largest = a.rgb.size() == b.rgb.size() ? 0 : infinity<double>;
+    for (size_t i = 0; i < a.rgb.size() && i < b.rgb.size(); ++i)
+        largest = std::max(largest, std::abs(double(a.rgb[i]) - b.rgb[i]));
+    return largest;
+}
+
+} // namespace
+
+TEST_CASE("cuda: every pixel shows what the CPU shows") {
+    const RandomSceneSpec specs[] = {
+        {.spheres = 5000, .radius = 0.1},
+        {.spheres = 1000, .mirrors = true, .ellipsoids = true},
+        {.spheres = 200, .radius = 0.3, .glass = true},
+        {.spheres = 100000, .shape = Shape::clusters, .radius = 0.002},
+    };
+    const auto cpu = make_cpu_renderer(0);
+    const auto cuda = make_cuda_renderer(0);
+    for (const Precision precision : {Precision::float32, Precision::float64})
+        for (uint32_t seed = 20; const RandomSceneSpec& spec : specs) {
+            const SceneProgram scene = random_scene(++seed, spec);
+            CAPTURE(seed);
+            FrameSettings settings;
+            settings.width = 320;
+            settings.height = 240;
+            settings.precision = precision;
+            CHECK(largest_difference(render(*cpu, scene, settings), render(*cuda, scene, settings)) <= 1e-5);
+        }
+}
+
+TEST_CASE("cuda: the same primitives are hit, to the last bit of a colour that names them") {
+    SceneProgram scene = random_scene(31, {.spheres = 3000, .radius = 0.1, .ground = false});
+    scene.lights.clear();
+    scene.materials.clear();
+    for (size_t i = 0; i < scene.spheres.size(); ++i)
+        scene.sphere_materials[i] =
+            add_material(scene, {.color = {glm::vec3(float(i % 256), float(i / 256), 1)}, .finish = glowing()});
+    FrameSettings settings;
+    settings.width = 640;
+    settings.height = 480;
+    CHECK(render(*make_cpu_renderer(0), scene, settings).rgb == render(*make_cuda_renderer(0), scene, settings).rgb);
+}
+
+TEST_CASE("cuda: a device that is not there is an error that says so") {
+    CHECK_THROWS_AS(make_cuda_renderer(1000), DeviceError);
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grid against brute force on single rays: the same primitive at the same distance, to the last bit.
+#include "kernels/traverse.h"
+#include "renderer/backend_cpu.h"
+#include "renderer/grid_builder.h"
+
+#include <doctest/doctest.h>
+#include <random>
+#include <vector>
+
+using namespace proxima;
+
+namespace {
+
+struct RandomNumbers {
+    std::mt19937 engine;
+    double operator()(double low, double high) { return low + (high - low) * engine() / 4294967296.0; }
+};
+
+template <class Real>
+std::vector<Sphere<Real>> spheres_of(RandomNumbers& random, int count, const Vec3<double>& spread) {
+    std::vector<Sphere<Real>> spheres;
+    for (int i = 0; i < count; ++i) {
+        const Vec3<double> center = spread * Vec3<double>(random(-1, 1), random(-1, 1), random(-1, 1));
+        spheres.push_back({Vec3<Real>(center), Real(random(0.001, 0.1))});
+        if (i % 10 == 0)
+            spheres.push_back(spheres.back()); // a duplicate: the smaller id must win
+    }
+    return spheres;
+}
+
+/// A ray of one of the kinds that break grids.
+template <class Real>
+Ray<Real> awkward_ray(RandomNumbers& random, int kind, const Box<Real>& bounds, const Vec3<Real>& target) {
+    Ray<Real> ray;
+    const Vec3<Real> extent = bounds.upper - bounds.lower;
+    const auto in_bounds = [&] {
+        return bounds.lower + extent * Vec3<Real>(Real(random(0, 1)), Real(random(0, 1)), Real(random(0, 1)));
+    };
+    const int axis = int(random(0, 3)), sign = random(0, 1) < 0.5 ? -1 : 1;
+    ray.origin = in_bounds();
+    if (kind == 0) { // along an axis, from outside
+        ray.origin[axis] = Real(-sign * 5);
+        ray.direction = Vec3<Real>(Real(0));
+        ray.direction[axis] = Real(sign);
+        return ray;
+    }
+    if (kind == 1) // from a face
+        ray.origin[axis] = sign < 0 ? bounds.lower[axis] : bounds.upper[axis];
+    if (kind == 2) // from a corner
+        ray.origin = sign < 0 ? bounds.lower : bounds.upper;
+    if (kind == 3) // from a hundred widths away
+        ray.origin +=
+            Real(200) * glm::normalize(Vec3<Real>(Real(random(-1, 1)), Real(random(-1, 1)), Real(random(-1, 1))));
+    if (kind == 4) // from the target's own centre
+        ray.origin = target;
+    ray.direction = glm::normalize((kind == 4 ? in_bounds() : target) - ray.origin);
+    if (kind == 5) { // in a plane of the grid's axes
+        ray.direction[axis] = Real(0);
+        ray.direction = glm::normalize(ray.direction);
+    }
+    return ray;
+}
+
+} // namespace
+
+TEST_CASE_TEMPLATE("traverse: the grid finds what brute force finds, bit for bit", Real, float, double) {
+    RandomNumbers random{std::mt19937(5)};
+    CpuBackend backend;
+    for (const Vec3<double> spread : {Vec3<double>(1, 1, 1), {1, 0, 1}, {1, 0, 0}, {3, 0.1, 1}}) {
+        const auto spheres = spheres_of<Real>(random, 300, spread);
+        const std::vector<uint32_t> materials(spheres.size(), 0);
+        const std::vector<Material> surfaces(1);
+        SceneView<Real> brute;
+        brute.geometry.spheres = spheres;
+        brute.geometry.sphere_materials = materials;
+        brute.surfaces.materials = surfaces;
+        GridBuilder<CpuBackend, Real> builder(backend);
+        builder.find_bounds(brute.geometry);
+        for (const std::array<uint32_t, 3> size :
+             {std::array<uint32_t, 3>{0, 0, 0}, {1, 1, 1}, {50, 3, 17}, {64, 64, 64}}) {
+            SceneView<Real> grid = brute;
+            FrameStatistics statistics;
+            builder.build(grid, size, statistics);
+            REQUIRE(grid.grid.in_use());
+            int hits = 0;
+            for (int i = 0; i < 3000; ++i) {
+                const Sphere<Real>& aim = spheres[size_t(random(0, double(spheres.size())))];
+                const Vec3<Real> target =
+                    aim.center + aim.radius * Vec3<Real>(Real(random(-1, 1)), Real(random(-1, 1)), Real(0));
+                const SourcedRay<Real> ray{awkward_ray(random, i % 7, brute.geometry.bounds, target), {}};
+                const BasedRay<Real> based = rebase(ray, brute.geometry.bounds);
+                const Hit<Real> a = find_nearest(brute, based, {}, Real(0), infinity<Real>, false);
+                const Hit<Real> b = find_nearest(grid, based, {}, Real(0), infinity<Real>, false);
+                REQUIRE(a.primitive == b.primitive);
+                REQUIRE(a.t == b.t);
+                REQUIRE(find_any(grid, based, Real(0), infinity<Real>) == (a.primitive != no_primitive));
+                hits += a.primitive != no_primitive;
+                if (a.primitive == no_primitive)
+                    continue;
+                const Hit<Real> next_a = find_nearest(brute, based, a, Real(0), infinity<Real>, false);
+                const Hit<Real> next_b = find_nearest(grid, based, a, Real(0), infinity<Real>, false);
+                REQUIRE(next_a.primitive == next_b.primitive);
+                REQUIRE(next_a.t == next_b.t);
+            }
+            CHECK(hits > 500);
+        }
+    }
+}
+
+TEST_CASE("traverse: a ray that has passed a hit sees each surface once, duplicates too") {
+    const std::vector<Sphere<double>> spheres{{{0, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 0, 0.5}, 1}, {{0, 0, 0}, 1}};
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    SceneView<double> scene;
+    scene.geometry.spheres = spheres;
+    scene.geometry.sphere_materials = materials;
+    scene.geometry.bounds = {Vec3<double>(-2.0), Vec3<double>(2.0)};
+    scene.surfaces.materials = surfaces;
+    const BasedRay<double> ray = rebase(SourcedRay<double>{{{0, 0, -5}, {0, 0, 1}}, {}}, scene.geometry.bounds);
+    std::vector<uint32_t> order;
+    Hit<double> hit;
+    for (;;) {
+        hit = find_nearest(scene, ray, hit, 0.0, infinity<double>, false);
+        if (hit.primitive == no_primitive)
+            break;
+        order.push_back(hit.primitive);
+        REQUIRE(order.size() <= 8);
+    }
+    CHECK(order == std::vector<uint32_t>{0, 1, 3, 2, 0, 1, 3, 2});
+}
+
+TEST_CASE("traverse: a ray leaves its own sphere outward for good, inward at the analytic exit") {
+    const std::vector<Sphere<float>> spheres{{{1e4f, 0, 0}, 1}};
+    const std::vector<uint32_t> materials(1, 0);
+    const std::vector<Material> surfaces(1);
+    SceneView<float> scene;
+    scene.geometry.spheres = spheres;
+    scene.geometry.sphere_materials = materials;
+    scene.geometry.bounds = {{9998, -2, -2}, {10002, 2, 2}};
+    scene.surfaces.materials = surfaces;
+    const Ray<float> from_surface{{1e4f, 0.6f, 0.8f}, {0, 0, 1}};
+    const auto nearest = [&](RaySource<float> source) {
+        return find_nearest(scene, rebase({from_surface, source}, scene.geometry.bounds), {}, 0.0f, infinity<float>,
+                            false);
+    };
+    CHECK(nearest({0, 0.0f}).primitive == no_primitive);
+    CHECK(nearest({0, -1e-3f}).primitive == no_primitive);
+    CHECK(nearest({0, 1.5f}).t == 1.5f);
+}
+
+TEST_CASE("traverse: the primitives around a point, with and without a grid") {
+    RandomNumbers random{std::mt19937(8)};
+    auto spheres = spheres_of<float>(random, 500, {1, 1, 1});
+    for (Sphere<float>& sphere : spheres)
+        sphere.radius *= 3;
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    SceneView<float> brute;
+    brute.geometry.spheres = spheres;
+    brute.geometry.sphere_materials = materials;
+    CpuBackend backend;
+    GridBuilder<CpuBackend, float> builder(backend);
+    builder.find_bounds(brute.geometry);
+    SceneView<float> grid = brute;
+    FrameStatistics statistics;
+    builder.build(grid, {0, 0, 0}, statistics);
+    const auto around = [](const SceneView<float>& scene, const Vec3<float>& point) {
+        std::vector<uint32_t> ids;
+        for_each_around(scene, point, [&](uint32_t id) {
+            const Vec3<float> d = point - scene.geometry.spheres[id].center;
+            if (glm::dot(d, d) < scene.geometry.spheres[id].radius * scene.geometry.spheres[id].radius)
+                ids.push_back(id);
+        });
+        std::sort(ids.begin(), ids.end());
+        return ids;
+    };
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3<float> point(float(random(-1.2, 1.2)), float(random(-1.2, 1.2)), float(random(-1.2, 1.2)));
+        REQUIRE(around(brute, point) == around(grid, point));
+    }
+}
