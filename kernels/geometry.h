@@ -52,12 +52,13 @@ template <class Real> struct Chord {
     Real far = infinity<Real>;
 
     /// The first of the two that lies beyond `nearest`; infinity when there is none.
-    HD Real beyond(Real nearest) const { return near > nearest ? near : far > nearest ? far : infinity<Real>; }
+    HD_INNER Real beyond(Real nearest) const { return near > nearest ? near : far > nearest ? far : infinity<Real>; }
 };
 
 /// A sphere's chord along `ray`, which must be longer than 2 sqrt(min_half_chord2).
 /// Stable form: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
-template <class Real> HD Chord<Real> chord(const Sphere<Real>& sphere, const Ray<Real>& ray, Real min_half_chord2) {
+template <class Real>
+HD_INNER Chord<Real> chord(const Sphere<Real>& sphere, const Ray<Real>& ray, Real min_half_chord2) {
     const Vec3<Real> from_center = ray.origin - sphere.center;
     const Real b = -glm::dot(from_center, ray.direction);
     const Vec3<Real> closest = from_center + b * ray.direction;
@@ -73,7 +74,7 @@ template <class Real> HD Chord<Real> chord(const Sphere<Real>& sphere, const Ray
 
 /// The smallest of a sphere's two distances along `ray` that lies beyond `nearest`; infinity when there is none.
 template <class Real>
-HD Real intersect(const Sphere<Real>& sphere, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
+HD_INNER Real intersect(const Sphere<Real>& sphere, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
     return chord(sphere, ray, min_half_chord2).beyond(nearest);
 }
 

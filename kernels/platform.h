@@ -9,6 +9,13 @@
 #define HD
 #endif
 
+/// For the few functions that every ray runs hundreds of times: compilers think them too big to inline.
+#if defined(__CUDACC__)
+#define HD_INNER __host__ __device__ __forceinline__
+#else
+#define HD_INNER __attribute__((always_inline)) inline
+#endif
+
 #include <cstdint>
 
 namespace proxima {

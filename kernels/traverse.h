@@ -49,7 +49,7 @@ template <class Real> HD BasedRay<Real> rebase(const SourcedRay<Real>& from, con
 
 /// Distance from the based origin to a primitive beyond `nearest`, or infinity.
 template <class Real>
-HD Real distance_to(const SceneView<Real>& scene, const BasedRay<Real>& ray, uint32_t id, Real nearest) {
+HD_INNER Real distance_to(const SceneView<Real>& scene, const BasedRay<Real>& ray, uint32_t id, Real nearest) {
     if (id == ray.source.primitive)
         return ray.source.exit > larger(nearest, -ray.offset) ? ray.source.exit : infinity<Real>;
     const GeometryView<Real>& geometry = scene.geometry;
@@ -69,7 +69,7 @@ template <class Real> struct NearestHit {
     bool casts_shadow_only; ///< leaves out materials without shadow
     Hit<Real> best;
 
-    HD void meet(uint32_t id) {
+    HD_INNER void meet(uint32_t id) {
         const Real beyond = id > passed ? just_below(nearest) : nearest;
         const Real t = distance_to(scene, ray, id, beyond);
         const bool ties = t == best.t && best.primitive != no_primitive && id < best.primitive;
@@ -79,7 +79,7 @@ template <class Real> struct NearestHit {
             return;
         best = {t, id};
     }
-    HD bool is_done(Real reached) const { return best.t <= reached; }
+    HD_INNER bool is_done(Real reached) const { return best.t <= reached; }
 };
 
 /// Stops at the first hit of a primitive that casts a shadow.
@@ -90,11 +90,11 @@ template <class Real> struct AnyHit {
     Real farthest;
     bool found = false;
 
-    HD void meet(uint32_t id) {
+    HD_INNER void meet(uint32_t id) {
         if (!found && distance_to(scene, ray, id, nearest) < farthest)
             found = !(scene.surfaces.materials[scene.geometry.material(id)].flags & material_no_shadow);
     }
-    HD bool is_done(Real reached) const { return found || farthest <= reached; }
+    HD_INNER bool is_done(Real reached) const { return found || farthest <= reached; }
 };
 
 /// Shows a visitor the lists of the voxels along a ray, in order, until it is done. Voxel planes are recomputed from
