@@ -122,6 +122,8 @@ void Evaluator::run_switch(const Token& directive) {
     const double value = number();
     expect(TokenKind::right_paren);
     const Token* branch = &program_->tokens[directive.target];
+    if (branch != cursor_ || (branch->directive != Directive::case_ && branch->directive != Directive::range))
+        fail(directive, "a #case or #range must follow the #switch");
     for (; branch->directive == Directive::case_ || branch->directive == Directive::range;
          branch = &program_->tokens[branch->target]) {
         cursor_ = branch + 1;

@@ -88,8 +88,13 @@ void Evaluator::plane(Shape& shape) {
 
 void Evaluator::union_parts(Shape& shape) {
     const auto append = [](auto& parts, const auto& more) { parts.insert(parts.end(), more.begin(), more.end()); };
+    if (const ShapeRef* declared = identifier<ShapeRef>()) {
+        shape = **declared;
+        advance();
+        return;
+    }
     bool any = false;
-    while (starts_shape()) {
+    while (starts_object()) {
         Shape part = *object();
         part.dress_parts();
         append(shape.spheres, part.spheres);
@@ -196,7 +201,6 @@ void Evaluator::emit_sphere_run() {
     Symbol last = SphereRun::no_texture;
     uint32_t material = builder_.material({}, default_texture_);
     std::unordered_map<Symbol, uint32_t> materials{{last, material}};
-    scene.spheres.insert(scene.spheres.end(), run.spheres.begin() + std::ptrdiff_t(run_position_), run.spheres.end());
     for (size_t i = run_position_; i < run.spheres.size(); ++i) {
         if (run.textures[i] != last) {
             last = run.textures[i];
@@ -206,6 +210,7 @@ void Evaluator::emit_sphere_run() {
                            : builder_.material({.texture = literal_texture(run, i)}, default_texture_);
             materials.emplace(last, material);
         }
+        scene.spheres.push_back(run.spheres[i]);
         scene.sphere_materials.push_back(material);
     }
     run_position_ = 0;
