@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <dlfcn.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 #include <tbb/blocked_range.h>
@@ -19,10 +20,19 @@ constexpr float largest_half = 65504.0f; // beyond it a half is infinite
 /// version is passed over.
 constexpr const char* opened_first[] = {"libdcmdata.so.17", "libopencv_imgcodecs.so.406", "libopenvdb.so.10.0"};
 
+/// The module beside the program, where an installation puts it, or on the library path.
+void* open_module() {
+    const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    for (const auto& path : {folder / encoder_module, folder / "../lib/proxima" / encoder_module})
+        if (std::filesystem::exists(path))
+            return ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    return ::dlopen(encoder_module, RTLD_LAZY | RTLD_LOCAL);
+}
+
 EncodeImage* load_encoder() {
     for (const char* library : opened_first)
         ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
-    void* module = ::dlopen(encoder_module, RTLD_LAZY | RTLD_LOCAL);
+    void* module = open_module();
     void* function = module ? ::dlsym(module, encoder_function) : nullptr;
     if (!function)
         throw FileError(

@@ -29,6 +29,27 @@ double srgb(double linear) {
 
 const ColorSettings untoned{{}, "sRGB", "Un-tone-mapped"};
 
+/// A configuration file, gone with the test.
+struct ConfigFile {
+    std::filesystem::path path;
+    ConfigFile(const std::string& name, const std::string& text) : path(std::filesystem::temp_directory_path() / name) {
+        std::ofstream(path) << text;
+    }
+    ~ConfigFile() { std::filesystem::remove(path); }
+};
+
+/// A configuration with one view, which halves the light.
+std::string halving_config(const std::string& view) {
+    return "ocio_profile_version: 2\nroles: {default: lin_rec709, scene_linear: lin_rec709}\n"
+           "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
+           "displays:\n  screen:\n    - !<View> {name: " +
+           view +
+           ", colorspace: half}\n"
+           "colorspaces:\n  - !<ColorSpace> {name: lin_rec709}\n"
+           "  - !<ColorSpace>\n    name: half\n    from_scene_reference: !<MatrixTransform> "
+           "{matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}\n";
+}
+
 } // namespace
 
 TEST_CASE("color: the embedded configuration gives the golden values") {
@@ -107,38 +128,28 @@ TEST_CASE("color: an unknown display or view is refused with the choices") {
 }
 
 TEST_CASE("color: --ocio is above $OCIO, which is above the embedded configuration") {
-    const auto config = [](const char* name, const char* view) {
-        std::ofstream(name)
-            << "ocio_profile_version: 2\nroles: {default: lin_rec709, scene_linear: lin_rec709}\n"
-            << "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
-            << "displays:\n  screen:\n    - !<View> {name: " << view << ", colorspace: half}\n"
-            << "colorspaces:\n  - !<ColorSpace> {name: lin_rec709}\n"
-            << "  - !<ColorSpace>\n    name: half\n    from_scene_reference: !<MatrixTransform> {matrix: "
-               "[0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}\n";
-        return std::filesystem::path(name);
-    };
-    const auto environment = config("environment.ocio", "of_environment");
-    const auto option = config("option.ocio", "of_option");
-    setenv("OCIO", environment.c_str(), 1);
+    const ConfigFile environment("proxima_environment.ocio", halving_config("of_environment"));
+    const ConfigFile option("proxima_option.ocio", halving_config("of_option"));
+    setenv("OCIO", environment.path.c_str(), 1);
     CHECK(through({{}, "screen", "of_environment"}, {1, 1, 1})[0] == 0.5f);
-    CHECK(through({option, "screen", "of_option"}, {1, 1, 1})[0] == 0.5f);
+    CHECK(through({option.path, "screen", "of_option"}, {1, 1, 1})[0] == 0.5f);
     setenv("OCIO", "no such file.ocio", 1);
     CHECK_THROWS_AS(ColorTransform(ColorSettings{}), FileError);
     setenv("OCIO", "", 1);
     CHECK(through({}, {1, 1, 1})[0] == doctest::Approx(1.0f));
     unsetenv("OCIO");
-    std::ofstream("broken.ocio") << "this: is: no: configuration";
-    CHECK_THROWS_AS(ColorTransform({"broken.ocio", "", ""}), FileError);
+    const ConfigFile broken("proxima_broken.ocio", "this: is: no: configuration");
+    CHECK_THROWS_AS(ColorTransform({broken.path, "", ""}), FileError);
 }
 
 TEST_CASE("color: a configuration without linear Rec.709 is entered through ACES2065-1") {
-    std::ofstream("aces.ocio")
-        << "ocio_profile_version: 2\nroles: {default: AP0, scene_linear: AP1, aces_interchange: AP0}\n"
-        << "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
-        << "displays:\n  screen:\n    - !<View> {name: cg, colorspace: AP1}\n"
-        << "colorspaces:\n  - !<ColorSpace> {name: AP0}\n  - !<ColorSpace>\n    name: AP1\n"
-        << "    to_scene_reference: !<BuiltinTransform> {style: ACEScg_to_ACES2065-1}\n";
-    const auto color = through({"aces.ocio", "", ""}, {0.5f, 0.25f, 0.05f});
+    const ConfigFile aces("proxima_aces.ocio",
+                          "ocio_profile_version: 2\nroles: {default: AP0, scene_linear: AP1, aces_interchange: AP0}\n"
+                          "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
+                          "displays:\n  screen:\n    - !<View> {name: cg, colorspace: AP1}\n"
+                          "colorspaces:\n  - !<ColorSpace> {name: AP0}\n  - !<ColorSpace>\n    name: AP1\n"
+                          "    to_scene_reference: !<BuiltinTransform> {style: ACEScg_to_ACES2065-1}\n");
+    const auto color = through({aces.path, "", ""}, {0.5f, 0.25f, 0.05f});
     CHECK(color[0] == doctest::Approx(0.393798f).epsilon(1e-5));
     CHECK(color[1] == doctest::Approx(0.264858f).epsilon(1e-5));
     CHECK(color[2] == doctest::Approx(0.081191f).epsilon(1e-5));
