@@ -61,32 +61,30 @@ template <class Real> HD const Interior& interior_of(const SceneView<Real>& scen
     return scene.surfaces.interiors[scene.surfaces.materials[scene.geometry.material(primitive)].interior];
 }
 
-/// Indices and their ratios are single precision as in POV-Ray: a path through several glasses magnifies
-/// the rounding until it shows.
-template <class Real> HD float ior_of(const SceneView<Real>& scene, uint32_t primitive) {
-    return primitive == no_primitive ? 1.0f : interior_of(scene, primitive).ior;
+template <class Real> HD Real ior_of(const SceneView<Real>& scene, uint32_t primitive) {
+    return primitive == no_primitive ? Real(1) : Real(interior_of(scene, primitive).ior);
 }
 
 /// For Fresnel's equation: the index on the far side of a primitive's surface over that of the near side. On the way
 /// out the far side is taken to be what the ray entered last, the primitive itself included, as POV-Ray has it.
 template <class Real>
 HD Real far_over_near_ior(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
-    const float own = ior_of(scene, primitive);
+    const Real own = ior_of(scene, primitive);
     if (!interiors.contains(primitive))
-        return Real(own / ior_of(scene, interiors.last()));
-    return Real((interiors.count > 1 ? ior_of(scene, interiors.last()) : 1.0f) / own);
+        return own / ior_of(scene, interiors.last());
+    return (interiors.count > 1 ? ior_of(scene, interiors.last()) : Real(1)) / own;
 }
 
 /// For Snell's law: the index on the near side over that of the far side, by what the ray has entered. A ray that
 /// leaves something other than what it entered last does not bend.
 template <class Real>
 HD Real crossing_ior_ratio(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
-    const float own = ior_of(scene, primitive);
+    const Real own = ior_of(scene, primitive);
     if (!interiors.contains(primitive))
-        return Real(ior_of(scene, interiors.last()) / own);
+        return ior_of(scene, interiors.last()) / own;
     if (interiors.last() != primitive)
         return Real(1);
-    return Real(own / ior_of(scene, interiors.count > 1 ? interiors.ids[interiors.count - 2] : no_primitive));
+    return own / ior_of(scene, interiors.count > 1 ? interiors.ids[interiors.count - 2] : no_primitive);
 }
 
 /// The primitives around a point, opaque ones too, in the order of their ids.
