@@ -33,10 +33,10 @@ std::vector<fs::path> example_scenes() {
     return scenes;
 }
 
-/// Pixels that depend on the order in which POV-Ray renders (its shadow cache): lines "scene x y".
-std::map<std::string, std::vector<Pixel>> history_pixels() {
+/// The pixels that excused_pixels.txt lists: lines "scene x y reason".
+std::map<std::string, std::vector<Pixel>> excused_pixels() {
     std::map<std::string, std::vector<Pixel>> result;
-    std::ifstream file(fs::path(PROXIMA_TEST_SOURCES) / "history_pixels.txt");
+    std::ifstream file(fs::path(PROXIMA_TEST_SOURCES) / "excused_pixels.txt");
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line);
         std::string scene;
@@ -70,13 +70,13 @@ Picture16 proxima_picture(const fs::path& scene, const fs::path& output, const s
 }
 
 /// Renders one scene with both programs, checks it, and returns its row of the table.
-std::string compare_scene(const fs::path& scene, const std::vector<Pixel>& history) {
+std::string compare_scene(const fs::path& scene, const std::vector<Pixel>& excused) {
     const std::string name = scene.stem().string();
     const Picture16 reference = povray_picture(scene, name + ".povray.png");
     const Picture16 in_double = proxima_picture(scene, name + ".double.png", "double");
     const Picture16 in_float = proxima_picture(scene, name + ".float.png", "float");
 
-    const Difference exact = compare(reference, in_double, 2, history);
+    const Difference exact = compare(reference, in_double, 2, excused);
     for (size_t i = 0; i < std::min<size_t>(exact.over.size(), 10); ++i)
         MESSAGE(name << ": pixel " << exact.over[i].x << " " << exact.over[i].y << " is off");
     CHECK(exact.over.empty());
@@ -92,14 +92,14 @@ std::string compare_scene(const fs::path& scene, const std::vector<Pixel>& histo
 TEST_CASE("povray: every example looks as in POV-Ray") {
     const auto scenes = example_scenes();
     REQUIRE(scenes.size() >= 10);
-    const auto history = history_pixels();
+    const auto listed = excused_pixels();
     std::string table = fmt::format("{:<26} {:>14} {:>10} {:>10} {:>17}\n", "320x240, in 1/65535", "double, worst",
                                     "excused", "RMS", "float in 1/255");
     for (const fs::path& scene : scenes) {
         CAPTURE(scene);
-        const auto excused = history.find(scene.stem().string());
+        const auto found = listed.find(scene.stem().string());
         try {
-            table += compare_scene(scene, excused == history.end() ? std::vector<Pixel>{} : excused->second);
+            table += compare_scene(scene, found == listed.end() ? std::vector<Pixel>{} : found->second);
         } catch (const std::exception& error) {
             FAIL_CHECK(std::string(error.what()));
         }
