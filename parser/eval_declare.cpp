@@ -111,7 +111,7 @@ void Evaluator::run_undef() {
 Value Evaluator::right_hand_side() {
     const Token& token = peek();
     if (starts_object())
-        return object();
+        return std::make_shared<const Shape>(object());
     if (starts_string())
         return string();
     if (token.kind == TokenKind::name) {

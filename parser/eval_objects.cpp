@@ -20,33 +20,33 @@ bool Evaluator::starts_shape() {
     return starts_object() || identifier<ShapeRef>();
 }
 
-ShapeRef Evaluator::object() {
+Shape Evaluator::object() {
     const Nesting nesting(*this);
     if (const ShapeRef* declared = identifier<ShapeRef>()) {
         advance();
-        return *declared;
+        return **declared;
     }
-    auto shape = std::make_shared<Shape>();
+    Shape shape;
     if (peek().kind == TokenKind::sphere_run) {
-        literal_sphere(*shape);
+        literal_sphere(shape);
         return shape;
     }
     const Word word = Word(next().index);
     expect(TokenKind::left_brace);
     switch (word) {
     case Word::sphere:
-        sphere(*shape);
+        sphere(shape);
         break;
     case Word::plane:
-        plane(*shape);
+        plane(shape);
         break;
     case Word::union_:
-        union_parts(*shape);
+        union_parts(shape);
         break;
     default:
-        object_reference(*shape);
+        object_reference(shape);
     }
-    object_modifiers(*shape, word);
+    object_modifiers(shape, word);
     return shape;
 }
 
@@ -95,7 +95,7 @@ void Evaluator::union_parts(Shape& shape) {
     }
     bool any = false;
     while (starts_object()) {
-        Shape part = *object();
+        Shape part = object();
         part.dress_parts();
         append(shape.spheres, part.spheres);
         append(shape.ellipsoids, part.ellipsoids);
@@ -111,7 +111,7 @@ void Evaluator::object_reference(Shape& shape) {
         shape = **declared;
         advance();
     } else if (starts_object()) {
-        shape = *object();
+        shape = object();
     } else {
         fail_unexpected("the name of a declared object");
     }
@@ -160,17 +160,25 @@ void Evaluator::object_modifiers(Shape& shape, Word kind) {
 void Evaluator::literal_sphere(Shape& shape) {
     const SphereRun& run = program_->runs[peek().index];
     shape.spheres.push_back({run.spheres[run_position_], {}});
-    shape.own.texture = literal_texture(run, run_position_);
+    shape.own.texture = literal_texture(run.surfaces[run_position_]);
     if (++run_position_ == run.spheres.size()) {
         run_position_ = 0;
         advance();
     }
 }
 
-uint32_t Evaluator::literal_texture(const SphereRun& run, size_t index) {
-    const Symbol name = run.textures[index];
-    if (name == SphereRun::no_texture)
+/// What a literal sphere wears: Surface::none or a texture.
+uint32_t Evaluator::literal_texture(uint32_t surface) {
+    if (surface == SphereRun::no_surface)
         return Surface::none;
+    if (surface & SphereRun::color_flag) {
+        PigmentValue value;
+        value.pigment.color.rgb = program_->colors[surface & ~SphereRun::color_flag];
+        std::vector<Layer> layers = builder_.texture(default_texture_);
+        layers.back().pigment = builder_.add_pigment(value);
+        return builder_.add_texture(layers);
+    }
+    const Symbol name = surface;
     Binding* binding = scopes_.find(name);
     const TextureRef* texture = binding ? std::get_if<TextureRef>(&binding->value) : nullptr;
     if (texture) {
@@ -198,17 +206,17 @@ uint32_t Evaluator::literal_texture(const SphereRun& run, size_t index) {
 void Evaluator::emit_sphere_run() {
     SphereRun& run = program_->runs[cursor_->index];
     SceneProgram& scene = builder_.program();
-    Symbol last = SphereRun::no_texture;
+    uint32_t last = SphereRun::no_surface;
     uint32_t material = builder_.material({}, default_texture_);
-    std::unordered_map<Symbol, uint32_t> materials{{last, material}};
+    std::unordered_map<uint32_t, uint32_t> named{{last, material}}; // the materials of textures by name
     for (size_t i = run_position_; i < run.spheres.size(); ++i) {
-        if (run.textures[i] != last) {
-            last = run.textures[i];
-            const auto known = materials.find(last);
-            material = known != materials.end()
-                           ? known->second
-                           : builder_.material({.texture = literal_texture(run, i)}, default_texture_);
-            materials.emplace(last, material);
+        if (run.surfaces[i] != last) {
+            last = run.surfaces[i];
+            const auto known = named.find(last);
+            material = known != named.end() ? known->second
+                                            : builder_.material({.texture = literal_texture(last)}, default_texture_);
+            if ((last & SphereRun::color_flag) == 0)
+                named.emplace(last, material);
         }
         scene.spheres.push_back(run.spheres[i]);
         scene.sphere_materials.push_back(material);

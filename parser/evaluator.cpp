@@ -54,7 +54,7 @@ bool Evaluator::item() {
     if (token.kind == TokenKind::sphere_run) {
         emit_sphere_run();
     } else if (starts_shape()) {
-        Shape shape = *object();
+        Shape shape = object();
         shape.dress_parts();
         builder_.add_shape(shape, default_texture_);
     } else if (accept(Word::camera)) {

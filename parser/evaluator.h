@@ -174,7 +174,7 @@ private:
     // eval_objects.cpp
     bool starts_object();
     bool starts_shape(); ///< an object or the name of one
-    ShapeRef object();
+    Shape object();
     void sphere(Shape& shape);
     void literal_sphere(Shape& shape);
     void plane(Shape& shape);
@@ -183,7 +183,7 @@ private:
     void object_modifiers(Shape& shape, Word kind);
     void transform_object(Shape& shape, const TransformPair& transform);
     void emit_sphere_run();
-    uint32_t literal_texture(const SphereRun& run, size_t index);
+    uint32_t literal_texture(uint32_t surface);
 
     // eval_camera.cpp, eval_lights.cpp, eval_settings.cpp
     Camera<double> camera();
@@ -216,9 +216,9 @@ private:
     size_t item_frames_ = 0;
     bool in_item_ = false;
     uint64_t steps_ = 0;
-    bool directive_before_ = false; ///< a directive ran since the last token
+    bool directive_before_ = false;  ///< a directive ran since the last token
     size_t bare_nesting_ = SIZE_MAX; ///< where an expression ends at a directive: see next_operator
-    uint64_t changes_ = 0;          ///< of anything that a condition may depend on
+    uint64_t changes_ = 0;           ///< of anything that a condition may depend on
     size_t nesting_ = 0;
     size_t includes_ = 0;
 

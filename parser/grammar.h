@@ -68,7 +68,8 @@ struct bracket : pegtl::sor<left_brace, right_brace, left_paren, right_paren, le
 struct punctuation : pegtl::sor<comma, bracket, less_equal, greater_equal, not_equal, left_angle, right_angle, semicolon, minus,
                                 plus, star, slash, equal, dot, bang, ampersand, bar, question, colon> {};
 
-// A literal sphere: sphere { <number, number, number>, number texture { Name } }, the texture being optional.
+// A literal sphere: sphere { <number, number, number>, number } with texture { Name }, with
+// pigment { rgb <number, number, number> } (color may stand before rgb) or with neither.
 // Big scenes consist of them: this rule is tried first, and whatever it cannot match is read as ordinary tokens.
 struct sphere_keyword : pegtl::seq<pegtl::string<'s', 'p', 'h', 'e', 'r', 'e'>, pegtl::not_at<identifier_part>> {};
 struct texture_keyword : pegtl::string<'t', 'e', 'x', 't', 'u', 'r', 'e'> {};
@@ -80,8 +81,13 @@ struct literal_vector : pegtl::seq<spaced<pegtl::one<'<'>>, literal_number, sepa
 struct literal_texture_name : identifier {};
 struct literal_texture : pegtl::seq<spaced<texture_keyword>, spaced<pegtl::one<'{'>>, spaced<literal_texture_name>,
                                     spaced<pegtl::one<'}'>>> {};
+struct pigment_keyword : pegtl::string<'p', 'i', 'g', 'm', 'e', 'n', 't'> {};
+struct color_keyword : pegtl::seq<pegtl::string<'c', 'o', 'l', 'o', 'r'>, pegtl::plus<blank>> {};
+struct rgb_keyword : pegtl::string<'r', 'g', 'b'> {};
+struct literal_pigment : pegtl::seq<spaced<pigment_keyword>, spaced<pegtl::one<'{'>>, pegtl::opt<color_keyword>, spaced<rgb_keyword>,
+                                    spaced<literal_vector>, spaced<pegtl::one<'}'>>> {};
 struct literal_begin : pegtl::seq<sphere_keyword, space, pegtl::one<'{'>, space> {};
-struct literal_sphere : pegtl::seq<literal_begin, literal_vector, separator, literal_number, space, pegtl::opt<literal_texture>,
+struct literal_sphere : pegtl::seq<literal_begin, literal_vector, separator, literal_number, space, pegtl::opt<pegtl::sor<literal_texture, literal_pigment>>,
                                    pegtl::one<'}'>> {};
 
 struct unexpected : pegtl::any {};

@@ -96,10 +96,12 @@ static_assert(sizeof(Token) == 16);
 /// Literal spheres that follow each other, at most `capacity`: 36 bytes each, in the arrays' order of SceneProgram.
 struct SphereRun {
     static constexpr size_t capacity = 65'536;
-    static constexpr Symbol no_texture = 0xffffffffu;
+    static constexpr uint32_t no_surface = 0xffffffffu;
+    static constexpr uint32_t color_flag = 0x80000000u;
 
     std::vector<Sphere<double>> spheres;
-    std::vector<Symbol> textures; ///< the name in `texture { Name }`
+    /// The symbol in `texture { Name }`; or color_flag and an index into TokenProgram::colors; or no_surface.
+    std::vector<uint32_t> surfaces;
 };
 
 struct TokenProgram {
@@ -107,6 +109,7 @@ struct TokenProgram {
     std::vector<Token> tokens; ///< the last is end_of_text
     std::vector<std::string> strings;
     std::vector<SphereRun> runs;
+    std::vector<glm::vec3> colors; ///< of `pigment { rgb <r, g, b> }` in runs
     size_t literal_spheres = 0;
     bool valid = false; ///< has no mistakes and may be run
 };

@@ -221,17 +221,23 @@ void TokenWriter::close_block(uint32_t index) {
 }
 
 bool TokenWriter::literal_texture(std::string_view name) {
-    literal_texture_ = symbols_.intern(name);
-    return !symbols_.is_reserved(literal_texture_);
+    literal_surface_ = symbols_.intern(name);
+    return !symbols_.is_reserved(literal_surface_);
 }
 
 bool TokenWriter::commit_sphere(std::string_view piece) {
     constexpr double limit = std::numeric_limits<float>::max();
-    for (const double number : literal_)
-        if (!(std::abs(number) < limit))
+    for (int i = 0; i < literal_count_; ++i)
+        if (!(std::abs(literal_[i]) < limit))
             return false;
     if (!(literal_[3] > 0))
         return false;
+    if (literal_count_ == 7) {
+        const glm::vec3 color(literal_[4], literal_[5], literal_[6]);
+        if (program_.colors.empty() || program_.colors.back() != color)
+            program_.colors.push_back(color);
+        literal_surface_ = SphereRun::color_flag | uint32_t(program_.colors.size() - 1);
+    }
     if (program_.tokens.empty() || program_.tokens.back().kind != TokenKind::sphere_run ||
         program_.runs.back().spheres.size() >= SphereRun::capacity) {
         append(TokenKind::sphere_run, piece.substr(0, 6)).index = uint32_t(program_.runs.size());
@@ -239,7 +245,7 @@ bool TokenWriter::commit_sphere(std::string_view piece) {
     }
     SphereRun& run = program_.runs.back();
     run.spheres.push_back({{literal_[0], literal_[1], literal_[2]}, literal_[3]});
-    run.textures.push_back(literal_texture_);
+    run.surfaces.push_back(literal_surface_);
     ++program_.literal_spheres;
     return true;
 }

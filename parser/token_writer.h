@@ -29,7 +29,7 @@ public:
     // A literal sphere. Nothing is added before commit_sphere.
     void begin_sphere() {
         literal_count_ = 0;
-        literal_texture_ = SphereRun::no_texture;
+        literal_surface_ = SphereRun::no_surface;
     }
     /// False when the number is too large for a double.
     bool literal_number(std::string_view piece) {
@@ -65,9 +65,9 @@ private:
     std::vector<uint32_t> brackets_; ///< open ones
     std::vector<Block> blocks_;      ///< open ones
 
-    double literal_[4] = {};
+    double literal_[7] = {}; // centre, radius, colour
     int literal_count_ = 0;
-    Symbol literal_texture_ = SphereRun::no_texture;
+    uint32_t literal_surface_ = SphereRun::no_surface;
 };
 
 } // namespace proxima

@@ -69,15 +69,19 @@ TEST_CASE("grammar: strings end on their line") {
     CHECK(!matches<grammar::text>("\"a\nb\""));
 }
 
-TEST_CASE("grammar: a literal sphere is numbers and at most the name of a texture") {
-    for (const char* text : {"sphere{<1,2,3>,4}", "sphere { < -1 , .2 , 3e5 > , 0.5 }",
-                             "sphere { <1,2,3>, 4 texture { T } }", "sphere /* a */ { <1,2,3>, // b\n 4 texture{T}}"}) {
+TEST_CASE("grammar: a literal sphere is numbers and at most the name of a texture or a color") {
+    for (const char* text :
+         {"sphere{<1,2,3>,4}", "sphere { < -1 , .2 , 3e5 > , 0.5 }", "sphere { <1,2,3>, 4 texture { T } }",
+          "sphere { <1,2,3>, 4 pigment { rgb <1,0,0> } }", "sphere { <1,2,3>, 4 pigment{color rgb<1,0,0>} }",
+          "sphere /* a */ { <1,2,3>, // b\n 4 texture{T}}"}) {
         CAPTURE(std::string(text));
         CHECK(matches<grammar::literal_sphere>(text));
     }
     for (const char* text :
          {"sphere { <1,2>, 3 }", "sphere { 0, 1 }", "sphere { <1,2,3>, 2*2 }", "sphere { <1,2,3>, 4 pigment { P } }",
-          "spheres { <1,2,3>, 4 }", "sphere { <1,2,3>, 4 texture { T scale 2 } }"}) {
+          "sphere { <1,2,3>, 4 pigment { rgb 1 } }", "sphere { <1,2,3>, 4 pigment { rgbt <1,2,3> } }",
+          "sphere { <1,2,3>, 4 pigment { rgb <1,2,3>*2 } }", "spheres { <1,2,3>, 4 }",
+          "sphere { <1,2,3>, 4 texture { T scale 2 } }"}) {
         CAPTURE(std::string(text));
         CHECK(!matches<grammar::literal_sphere>(text));
     }

@@ -45,6 +45,19 @@ TEST_CASE("literal spheres: numbers and textures arrive in order") {
     CHECK(scene.sphere_materials[0] == scene.sphere_materials[3]);
 }
 
+TEST_CASE("literal spheres: colors in them are packed too, over the default's finish") {
+    const SceneProgram scene = scene_of("#default { finish { phong 0.5 } }\n"
+                                        "sphere { <1, 2, 3>, 4 pigment { rgb <0.5, 0, 1> } }"
+                                        "sphere { <1, 2, 3>, 4 pigment { color rgb <0.5, 0, 1> } }"
+                                        "sphere { <1, 2, 3>, 4 pigment { rgb <-1, 2, .25> } }");
+    REQUIRE(scene.spheres.size() == 3);
+    CHECK(scene.materials.size() == 3); // the default's, which nothing wears, and two
+    CHECK(pigment_of(scene).color.rgb == glm::vec3(0.5f, 0, 1));
+    CHECK(finish_of(scene).phong == 0.5f);
+    CHECK(scene.sphere_materials[0] == scene.sphere_materials[1]);
+    CHECK(scene.pigments[top_layer(scene, scene.sphere_materials[2]).pigment].color.rgb == glm::vec3(-1, 2, 0.25f));
+}
+
 TEST_CASE("literal spheres: what is declared around them changes them") {
     const SceneProgram scene = scene_of(textures + "sphere { <1, 2, 3>, 4 texture { A } } #declare A = texture { B }\n"
                                                    "sphere { <1, 2, 3>, 4 texture { A } } sphere { <1, 2, 3>, 4 }"
