@@ -102,6 +102,7 @@ template <class Real> struct AnyHit {
 template <class Real, class Visitor> HD void walk(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
     const Vec3<Real> origin = (ray.origin - grid.lower) * grid.inverse_voxel; // in voxels
     int32_t cell[3], step[3], last[3];
+    const int32_t stride[3] = {1, grid.size.x, grid.size.x * grid.size.y};
     Real inverse[3], next[3]; // distance to the plane through which the ray leaves the voxel along an axis
     for (int i = 0; i < 3; ++i) {
         const Real speed = ray.direction[i] * grid.inverse_voxel[i];
@@ -111,15 +112,16 @@ template <class Real, class Visitor> HD void walk(const GridView<Real>& grid, co
         inverse[i] = Real(1) / speed;
         next[i] = speed == 0 ? infinity<Real> : (Real(cell[i] + (step[i] > 0)) - origin[i]) * inverse[i];
     }
+    uint32_t voxel = grid.index(cell[0], cell[1], cell[2]);
     const auto advance = [&](int i) {
         if (cell[i] == last[i])
             return false;
         cell[i] += step[i];
+        voxel += uint32_t(step[i] * stride[i]);
         next[i] = (Real(cell[i] + (step[i] > 0)) - origin[i]) * inverse[i];
         return true;
     };
     for (bool inside = true; inside;) {
-        const uint32_t voxel = grid.index(cell[0], cell[1], cell[2]);
         const uint32_t end = grid.starts[voxel + 1];
         for (uint32_t r = grid.starts[voxel]; r < end; ++r)
             visitor.meet(grid.references[r]);

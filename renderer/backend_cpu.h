@@ -26,6 +26,8 @@ class CpuBackend {
 public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
+    /// Where building and tracing a million spheres together take least.
+    static constexpr double voxels_per_primitive = 2;
 
     /// `threads` 0 is one for each core that the process may use; there are never more.
     explicit CpuBackend(unsigned threads = 0) : arena_(usable(threads)) {}
@@ -104,8 +106,14 @@ public:
         T* data = data_;
         backend_->for_each(uint32_t(count), [&, data](uint32_t i) { new (data + i) T(convert(i)); });
     }
-    void download(T* out) const { std::memcpy(static_cast<void*>(out), data_, size_ * sizeof(T)); }
-    void clear_bytes() { std::memset(static_cast<void*>(data_), 0, size_ * sizeof(T)); }
+    void download(T* out) const {
+        if (size_ > 0)
+            std::memcpy(static_cast<void*>(out), data_, size_ * sizeof(T));
+    }
+    void clear_bytes() {
+        if (size_ > 0)
+            std::memset(static_cast<void*>(data_), 0, size_ * sizeof(T));
+    }
     T read(size_t index) const { return data_[index]; }
 
     std::span<T> view() { return {data_, size_}; }

@@ -7,6 +7,7 @@
 #include "renderer/grid_builder.h"
 
 #include <chrono>
+#include <limits>
 
 namespace proxima {
 
@@ -55,6 +56,8 @@ private:
     }
 
     FilmView make_film(const FrameSettings& settings) {
+        if (uint64_t(settings.width) * settings.height > std::numeric_limits<uint32_t>::max())
+            throw DeviceError(DeviceError::Kind::out_of_memory, "a picture may have at most 2^32 - 1 pixels");
         film_.resize(size_t(settings.width) * settings.height);
         return {film_.view(), settings.width, settings.height, settings.samples};
     }
@@ -94,7 +97,8 @@ private:
         constexpr uint64_t most = 1u << 30;
         const uint64_t entry = sizeof(PathState<Real>) + sizeof(uint32_t) * needs.interior_capacity;
         const uint64_t stack = entry * needs.stack_entries;
-        const uint64_t fitting = stack ? std::max<uint64_t>(Backend::stack_memory / stack / 1024 * 1024, 1024) : most;
+        const uint64_t memory = std::min(Backend::stack_memory, backend_.available_memory() / 4);
+        const uint64_t fitting = stack ? std::max<uint64_t>(memory / stack / 1024 * 1024, 1024) : most;
         return uint32_t(std::min({pixels, fitting, most}));
     }
 
