@@ -65,7 +65,8 @@ size_t edit_distance(std::string_view a, std::string_view b, size_t limit) {
 
 bool same_place(const Diagnostic& a, const Diagnostic& b) {
     return a.severity == b.severity && a.place.location.file == b.place.location.file &&
-           a.place.location.offset == b.place.location.offset;
+           a.place.location.offset == b.place.location.offset &&
+           (a.severity == Severity::error || a.message == b.message);
 }
 
 } // namespace
@@ -78,6 +79,8 @@ void Diagnostics::report(Diagnostic diagnostic) {
         return;
     if (diagnostic.severity == Severity::error)
         ++error_count_;
+    else if (all_.size() >= kept_limit)
+        return;
     all_.push_back(std::move(diagnostic));
 }
 

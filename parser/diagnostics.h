@@ -38,10 +38,12 @@ public:
     Diagnostic diagnostic;
 };
 
-/// Mistakes, warnings and notes in the order that they were found. Two of one severity at one place are one.
+/// Mistakes, warnings and notes in the order that they were found. Mistakes at one place are one, and so are equal
+/// warnings.
 class Diagnostics {
 public:
-    static constexpr size_t shown_limit = 20; ///< of each severity, when formatted
+    static constexpr size_t shown_limit = 20;  ///< of each severity, when formatted
+    static constexpr size_t kept_limit = 1000; ///< past it, warnings and notes are dropped
 
     void report(Diagnostic diagnostic);
     void error(SourceSpan place, std::string message, std::string hint = {});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
+#include <utility>
 
 namespace proxima {
 
@@ -78,17 +79,19 @@ void Evaluator::run_declare(const Token& directive) {
     const Token& name = *cursor_;
     const Symbol symbol = declared_name();
     const SourceSpan declared = span(name);
+    if (const Binding* known = scopes_.find(symbol); known && std::holds_alternative<MacroRef>(known->value))
+        fail(name, fmt::format("'{}' is a macro already", spelling(name)));
     try {
         expect(TokenKind::equal);
         Value value = right_hand_side();
         // POV-Ray insists on the semicolon after numbers, and on its standing right there.
         if (std::holds_alternative<Terms>(value)) {
-            if (cursor_->kind != TokenKind::semicolon || directive_before_)
+            if (!after_value(TokenKind::semicolon) || directive_before_)
                 throw SceneError(declared, fmt::format("this {} lacks its ';'", spelling(directive)),
                                  "a #declare of a number, vector or color ends in ';', with no directive before it");
             advance();
-        } else if (cursor_->kind == TokenKind::semicolon) {
-            advance(); // looked at as it stands: the directives that follow may use the name
+        } else if (after_value(TokenKind::semicolon)) {
+            advance();
         }
         Binding& binding =
             directive.directive == Directive::local ? scopes_.declare_local(symbol) : scopes_.declare(symbol);
@@ -126,7 +129,7 @@ Value Evaluator::right_hand_side() {
         do {
             advance();
             result = layered(result, texture().index);
-        } while (cursor_->kind == TokenKind::word && cursor_->index == uint32_t(Word::texture));
+        } while (after_value(TokenKind::word) && cursor_->index == uint32_t(Word::texture));
         return TextureRef{result};
     }
     if (accept(Word::pigment))
@@ -143,10 +146,18 @@ Value Evaluator::right_hand_side() {
         return std::make_shared<const Light<double>>(light_source());
     if (accept(Word::transform))
         return std::make_shared<const TransformPair>(transform_block());
-    bare_nesting_ = nesting_;
+    const size_t outer = std::exchange(bare_nesting_, nesting_);
     const Terms terms = token.kind == TokenKind::word && starts_color() ? color() : sum();
-    bare_nesting_ = SIZE_MAX;
+    bare_nesting_ = outer;
     return terms;
+}
+
+/// Whether this token follows a value. It is looked at as it stands: the directives behind the value may use the name
+/// that is being declared.
+bool Evaluator::after_value(TokenKind kind) {
+    while (leave_macro()) {
+    }
+    return cursor_->kind == kind;
 }
 
 void Evaluator::run_default() {

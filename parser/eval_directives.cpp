@@ -13,10 +13,26 @@ bool Evaluator::Loop::goes_on(double value) const {
     return step > 0 ? value < end + epsilon : value > end - epsilon;
 }
 
-void Evaluator::run_directive() {
-    const Token& directive = *cursor_;
-    if (directive.kind == TokenKind::end_of_text)
-        return end_text();
+/// Does what has to be done before the token under the cursor may be looked at. False when that is nothing.
+bool Evaluator::interrupt() {
+    const Token& token = *cursor_;
+    if (token.kind == TokenKind::name) {
+        const Binding* binding = scopes_.find(token.index);
+        if (!binding || !std::holds_alternative<MacroRef>(binding->value))
+            return false;
+        call_macro(token);
+    } else if (token.kind == TokenKind::end_of_text) {
+        if (frames_.empty())
+            return false;
+        leave_frame();
+    } else {
+        run_directive(token);
+        directive_before_ = true;
+    }
+    return true;
+}
+
+void Evaluator::run_directive(const Token& directive) {
     if (++steps_ > settings_.step_limit)
         fail_steps();
     const Nesting nesting(*this);
@@ -60,6 +76,8 @@ void Evaluator::run_directive() {
         return run_for(directive);
     case Directive::end:
         return run_end(directive);
+    case Directive::macro:
+        return run_macro(directive);
     case Directive::declare:
     case Directive::local:
         return run_declare(directive);
@@ -183,6 +201,8 @@ void Evaluator::run_for(const Token& directive) {
 void Evaluator::run_end(const Token& directive) {
     ++cursor_;
     const Token& opener = program_->tokens[directive.index];
+    if (opener.directive == Directive::macro && !frames_.empty() && frames_.back().macro == &opener)
+        return leave_frame();
     if ((opener.directive != Directive::while_ && opener.directive != Directive::for_) || loops_.empty() ||
         loops_.back().opener != &opener)
         return;
@@ -222,7 +242,7 @@ void Evaluator::run_include(const Token& directive) {
     ++cursor_;
     const Token& name_token = peek();
     const std::string name = string();
-    if (frames_.size() >= include_depth_limit)
+    if (includes_ >= include_depth_limit)
         fail(directive, fmt::format("files include each other more than {} deep", include_depth_limit));
     TokenProgram* program = nullptr;
     try {
@@ -235,7 +255,8 @@ void Evaluator::run_include(const Token& directive) {
     }
     if (!program)
         return;
-    frames_.push_back({program_, cursor_, loops_.size()});
+    frames_.push_back({program_, cursor_, loops_.size(), nullptr});
+    ++includes_;
     scopes_.enter();
     program_ = program;
     cursor_ = program->tokens.data();
@@ -260,8 +281,10 @@ void Evaluator::include_standard(const std::string& name, const Token& at) {
     has_version_ = true;
 }
 
-void Evaluator::end_text() {
+/// Goes back to the caller of the text or macro.
+void Evaluator::leave_frame() {
     const Frame frame = frames_.back();
+    includes_ -= frame.macro ? 0 : 1;
     frames_.pop_back();
     scopes_.leave();
     loops_.resize(frame.loops);

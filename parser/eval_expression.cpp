@@ -109,6 +109,8 @@ bool Evaluator::string_relation() {
 
 /// What may continue an expression. The value of a #declare ends at a directive unless it stands in brackets.
 TokenKind Evaluator::next_operator() {
+    while (leave_macro()) {
+    }
     return nesting_ == bare_nesting_ && cursor_->kind == TokenKind::directive ? TokenKind::directive : peek().kind;
 }
 
@@ -223,6 +225,8 @@ Terms Evaluator::vector_literal() {
 }
 
 void Evaluator::access(Terms& terms) {
+    while (cursor_->kind == TokenKind::directive && leave_macro()) {
+    }
     if (cursor_->kind != TokenKind::dot)
         return;
     advance();

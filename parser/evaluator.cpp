@@ -81,7 +81,7 @@ void Evaluator::recover() {
     bare_nesting_ = SIZE_MAX;
     run_position_ = 0;
     while (in_item_ && frames_.size() > item_frames_)
-        end_text();
+        leave_frame();
     for (Loop& loop : loops_)
         loop.stopped = true;
     const Token* const first = program_->tokens.data();

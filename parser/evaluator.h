@@ -25,13 +25,15 @@ public:
 private:
     static constexpr double epsilon = 1e-10; ///< POV-Ray's tolerance of comparisons
     static constexpr size_t include_depth_limit = 100;
+    static constexpr size_t macro_depth_limit = 10'000;
     static constexpr size_t nesting_limit = 200; ///< of expressions and objects
 
-    /// A text that is being read, and where its caller goes on.
+    /// Where the caller of the text or macro that is being read goes on.
     struct Frame {
         TokenProgram* program;
         const Token* return_to;
         size_t loops;
+        const Token* macro; ///< its #macro, or nullptr for an included text
     };
     struct Loop {
         const Token* opener;
@@ -54,9 +56,7 @@ private:
 
     // eval_tokens.cpp: the stream of tokens
     const Token& peek() {
-        while (cursor_->kind >= TokenKind::directive && !at_end()) {
-            run_directive();
-            directive_before_ = true;
+        while (cursor_->directive != Directive::none && interrupt()) {
         }
         return *cursor_;
     }
@@ -65,7 +65,6 @@ private:
         advance();
         return token;
     }
-    bool at_end() const { return cursor_->kind == TokenKind::end_of_text && frames_.empty(); }
     void advance() {
         ++cursor_;
         directive_before_ = false;
@@ -87,7 +86,8 @@ private:
     void warn(const Token& token, std::string message, std::string hint = {});
 
     // eval_directives.cpp
-    void run_directive();
+    bool interrupt();
+    void run_directive(const Token& directive);
     void run_if(const Token& directive);
     bool condition(const Token& directive);
     void run_switch(const Token& directive);
@@ -97,9 +97,14 @@ private:
     void leave_loop(const Token& opener);
     void run_include(const Token& directive);
     void include_standard(const std::string& name, const Token& at);
-    void end_text();
+    void leave_frame();
     void run_version();
     void run_message(const Token& directive);
+
+    // eval_macros.cpp
+    void run_macro(const Token& directive);
+    void call_macro(const Token& name);
+    bool leave_macro();
 
     // eval_declare.cpp
     void predeclare();
@@ -110,6 +115,7 @@ private:
     void run_default();
     Symbol declared_name();
     Value right_hand_side();
+    bool after_value(TokenKind kind);
     Binding* lookup(const Token& name);
     /// The value of the next token if that is a name of this kind; the token stays.
     template <class T> const T* identifier() {
@@ -220,7 +226,7 @@ private:
     size_t bare_nesting_ = SIZE_MAX; ///< where an expression ends at a directive: see next_operator
     uint64_t changes_ = 0;           ///< of anything that a condition may depend on
     size_t nesting_ = 0;
-    size_t includes_ = 0;
+    size_t includes_ = 0; ///< open ones
 
     uint32_t default_texture_ = 0;
     double version_ = 3.7;

@@ -26,18 +26,35 @@ void Scopes::leave() {
 Binding& Scopes::declare(Symbol symbol) {
     std::vector<Binding>& bindings = stack(symbol);
     if (bindings.empty())
-        bindings.emplace_back();
-    return bindings.back();
+        return bindings.emplace_back();
+    Binding* target = find(symbol);
+    return target ? *target : bindings.back();
 }
 
 Binding& Scopes::declare_local(Symbol symbol) {
-    std::vector<Binding>& bindings = stack(symbol);
-    if (bindings.empty() || bindings.back().scope != scope_) {
-        bindings.emplace_back().scope = scope_;
-        if (scope_ > 0)
-            locals_.push_back(symbol);
-    }
-    return bindings.back();
+    const std::vector<Binding>& bindings = stack(symbol);
+    // A parameter is a local name already: in POV-Ray, too, this changes what the caller passed.
+    if (!bindings.empty() && bindings.back().scope == scope_)
+        return declare(symbol);
+    return bind_parameter(symbol);
+}
+
+Binding& Scopes::bind_parameter(Symbol symbol) {
+    Binding& binding = stack(symbol).emplace_back();
+    binding.scope = scope_;
+    if (scope_ > 0)
+        locals_.push_back(symbol);
+    return binding;
+}
+
+BindingRef Scopes::reference_to(Symbol symbol) const {
+    const std::vector<Binding>& bindings = bindings_[symbol];
+    return bindings.back().reference.value_or(BindingRef{symbol, uint32_t(bindings.size() - 1)});
+}
+
+Binding* Scopes::find(BindingRef reference) {
+    std::vector<Binding>& bindings = bindings_[reference.symbol];
+    return reference.index < bindings.size() ? &bindings[reference.index] : nullptr;
 }
 
 void Scopes::undefine(Symbol symbol) {

@@ -5,12 +5,20 @@
 #include "parser/symbols.h"
 #include "parser/value.h"
 
+#include <optional>
 #include <vector>
 
 namespace proxima {
 
+/// Names one binding: the index counts the bindings of a symbol from the outermost.
+struct BindingRef {
+    Symbol symbol = 0;
+    uint32_t index = 0;
+};
+
 struct Binding {
     Value value;
+    std::optional<BindingRef> reference; ///< stands for another binding: a macro's parameter for the caller's name
     SourceSpan declared;
     uint32_t scope = 0;
     bool used = false;
@@ -25,8 +33,15 @@ public:
 
     /// The innermost binding of a name, or nullptr. Valid until the next declaration.
     Binding* find(Symbol symbol) {
-        return symbol < bindings_.size() && !bindings_[symbol].empty() ? &bindings_[symbol].back() : nullptr;
+        if (symbol >= bindings_.size() || bindings_[symbol].empty())
+            return nullptr;
+        Binding& binding = bindings_[symbol].back();
+        return binding.reference ? find(*binding.reference) : &binding;
     }
+    /// What find() finds, for a parameter to refer to. The name has a binding.
+    BindingRef reference_to(Symbol symbol) const;
+    /// Binds a macro's parameter in the current scope.
+    Binding& bind_parameter(Symbol symbol);
     /// #declare: changes the innermost binding, or makes a global one.
     Binding& declare(Symbol symbol);
     /// #local: changes the current scope's binding, or makes it.
@@ -36,6 +51,7 @@ public:
     const std::vector<std::vector<Binding>>& bindings() const { return bindings_; }
 
 private:
+    Binding* find(BindingRef reference);
     std::vector<Binding>& stack(Symbol symbol);
 
     std::vector<std::vector<Binding>> bindings_; // by symbol; the innermost is the last

@@ -45,30 +45,15 @@ enum class TokenKind : uint8_t {
     end_of_text,
 };
 
+/// What the evaluator has to do before it may look at a token.
 enum class Directive : uint8_t {
-    if_,
-    ifdef,
-    ifndef,
-    elseif,
-    else_,
-    switch_,
-    case_,
-    range,
-    break_,
-    while_,
-    for_,
-    end,
-    macro,
-    declare,
-    local,
-    undef,
-    include,
-    version,
-    default_,
-    debug,
-    warning,
-    error,
-    unsupported,
+    none,
+    // clang-format off
+    if_, ifdef, ifndef, elseif, else_, switch_, case_, range, break_, while_, for_, end, macro,
+    declare, local, undef, include, version, default_, debug, warning, error, unsupported,
+    // clang-format on
+    call,        ///< a name before a parenthesis: perhaps a macro's
+    end_of_text, ///< go back to where the text was included
 };
 
 /// 16 bytes. What the payload means depends on the kind.
@@ -78,7 +63,7 @@ struct Token {
     uint32_t offset = 0; ///< bytes from the start of the text
     uint16_t length = 1; ///< bytes, at most 65,535
     TokenKind kind = TokenKind::end_of_text;
-    Directive directive = Directive::unsupported;
+    Directive directive = Directive::none;
     union {
         double number = 0;
         struct {

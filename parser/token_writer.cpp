@@ -76,6 +76,8 @@ void TokenWriter::add(TokenKind kind, std::string_view piece) {
         if (brackets_.size() >= depth_limit)
             fail(token, fmt::format("brackets stand in each other more than {} deep", depth_limit));
         brackets_.push_back(index);
+        if (kind == TokenKind::left_paren && index > 0 && program_.tokens[index - 1].kind == TokenKind::name)
+            program_.tokens[index - 1].directive = Directive::call;
         break;
     case TokenKind::right_brace:
     case TokenKind::right_paren:
@@ -142,6 +144,7 @@ void TokenWriter::unexpected(std::string_view piece) {
 
 void TokenWriter::add_directive(std::string_view piece, std::string_view name) {
     Token& token = append(TokenKind::directive, piece);
+    token.directive = Directive::unsupported;
     token.index = token.target = Token::no_target;
     const auto found = std::find_if(std::begin(directive_names), std::end(directive_names),
                                     [&](const auto& entry) { return entry.first == name; });
@@ -182,8 +185,7 @@ void TokenWriter::add_directive(std::string_view piece, std::string_view name) {
 void TokenWriter::branch(uint32_t index) {
     Token& token = program_.tokens[index];
     const bool of_switch = token.directive == Directive::case_ || token.directive == Directive::range;
-    const Directive opener =
-        blocks_.empty() ? Directive::unsupported : program_.tokens[blocks_.back().opener].directive;
+    const Directive opener = blocks_.empty() ? Directive::none : program_.tokens[blocks_.back().opener].directive;
     const bool fits =
         (of_switch ? false : is_if(opener)) || (opener == Directive::switch_ && token.directive != Directive::elseif);
     if (!fits)
@@ -255,7 +257,7 @@ void TokenWriter::finish() {
         const Token& opener = program_.tokens[block.opener];
         diagnostics_.error(place(opener), "this directive has no #end");
     }
-    append(TokenKind::end_of_text, text_.substr(text_.size()));
+    append(TokenKind::end_of_text, text_.substr(text_.size())).directive = Directive::end_of_text;
 }
 
 } // namespace proxima

@@ -36,6 +36,7 @@ const char* value_description(const Value& value) {
         const char* operator()(const LightRef&) const { return "a light source"; }
         const char* operator()(const CameraRef&) const { return "a camera"; }
         const char* operator()(const TransformRef&) const { return "a transform"; }
+        const char* operator()(const MacroRef&) const { return "a macro"; }
     };
     return std::visit(Describe{}, value);
 }

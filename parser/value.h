@@ -91,13 +91,16 @@ struct Shape {
     void dress_parts();
 };
 
+struct Macro;
+
 using ShapeRef = std::shared_ptr<const Shape>;
 using LightRef = std::shared_ptr<const Light<double>>;
 using CameraRef = std::shared_ptr<const Camera<double>>;
 using TransformRef = std::shared_ptr<const TransformPair>;
+using MacroRef = std::shared_ptr<const Macro>;
 
 using Value = std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef,
-                           MaterialValue, ShapeRef, LightRef, CameraRef, TransformRef>;
+                           MaterialValue, ShapeRef, LightRef, CameraRef, TransformRef, MacroRef>;
 
 /// "a number", "a texture", ...: for messages.
 const char* value_description(const Value& value);
