@@ -149,10 +149,15 @@ public:
         }
     }
     void download(T* out) const {
+        if (size_ == 0)
+            return;
         cuda_check(cudaMemcpyAsync(out, data(), size_ * sizeof(T), cudaMemcpyDeviceToHost, stream()));
         backend_->synchronize();
     }
-    void clear_bytes() { cuda_check(cudaMemsetAsync(data(), 0, size_ * sizeof(T), stream())); }
+    void clear_bytes() {
+        if (size_ > 0)
+            cuda_check(cudaMemsetAsync(data(), 0, size_ * sizeof(T), stream()));
+    }
     T read(size_t index) const {
         T value;
         cuda_check(cudaMemcpyAsync(&value, data() + index, sizeof(T), cudaMemcpyDeviceToHost, stream()));
