@@ -108,7 +108,7 @@ bool Evaluator::string_relation() {
 }
 
 /// What may continue an expression. The value of a #declare ends at a directive unless it stands in brackets.
-TokenKind Evaluator::next_operator() {
+TokenKind Evaluator::next_operator_behind_directive() {
     while (leave_macro()) {
     }
     return nesting_ == bare_nesting_ && cursor_->kind == TokenKind::directive ? TokenKind::directive : peek().kind;
@@ -225,7 +225,7 @@ Terms Evaluator::vector_literal() {
 }
 
 void Evaluator::access(Terms& terms) {
-    while (cursor_->kind == TokenKind::directive && leave_macro()) {
+    while (cursor_->directive == Directive::end && leave_macro()) {
     }
     if (cursor_->kind != TokenKind::dot)
         return;

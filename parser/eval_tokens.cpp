@@ -46,28 +46,8 @@ Evaluator::Nesting::Nesting(Evaluator& evaluator) : evaluator(evaluator) {
     ++evaluator.nesting_;
 }
 
-bool Evaluator::accept(TokenKind kind) {
-    if (peek().kind != kind)
-        return false;
-    advance();
-    return true;
-}
-
-bool Evaluator::peek_is(Word word) {
-    const Token& token = peek();
-    return token.kind == TokenKind::word && token.index == uint32_t(word);
-}
-
-bool Evaluator::accept(Word word) {
-    if (!peek_is(word))
-        return false;
-    advance();
-    return true;
-}
-
-void Evaluator::expect(TokenKind kind) {
-    if (!accept(kind))
-        fail_unexpected(fmt::format("'{}'", kind_spelling(kind)));
+void Evaluator::fail_expected(TokenKind kind) {
+    fail_unexpected(fmt::format("'{}'", kind_spelling(kind)));
 }
 
 std::string_view Evaluator::spelling(const Token& token) const {

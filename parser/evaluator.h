@@ -71,13 +71,30 @@ private:
         if (++steps_ > settings_.step_limit)
             fail_steps();
     }
-    bool accept(TokenKind kind);
-    bool accept(Word word);
-    bool peek_is(Word word);
-    void expect(TokenKind kind);
+    bool accept(TokenKind kind) {
+        if (peek().kind != kind)
+            return false;
+        advance();
+        return true;
+    }
+    bool peek_is(Word word) {
+        const Token& token = peek();
+        return token.kind == TokenKind::word && token.index == uint32_t(word);
+    }
+    bool accept(Word word) {
+        if (!peek_is(word))
+            return false;
+        advance();
+        return true;
+    }
+    void expect(TokenKind kind) {
+        if (!accept(kind))
+            fail_expected(kind);
+    }
     std::string_view spelling(const Token& token) const;
     SourceSpan span(const Token& token) const;
     [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {}) const;
+    [[noreturn]] void fail_expected(TokenKind kind);
     [[noreturn]] void fail_unexpected(const std::string& expected);
     [[noreturn]] void fail_steps();
     [[noreturn]] void fail_undeclared(const Token& token, std::string_view name, const std::string& expected);
@@ -129,7 +146,10 @@ private:
     Terms logical();
     Terms relation();
     bool string_relation();
-    TokenKind next_operator();
+    TokenKind next_operator() {
+        return cursor_->directive == Directive::none ? cursor_->kind : next_operator_behind_directive();
+    }
+    TokenKind next_operator_behind_directive();
     Terms sum();
     Terms product();
     Terms factor();
