@@ -82,8 +82,7 @@ template <class Real> struct SceneView {
     glm::vec3 ambient_light{1.0f};
     float adc_bailout = 1.0f / 255.0f;
     uint32_t max_trace_level = 5;
-    bool has_shadow_filters = false; ///< some material lets light through: shadows are products of colours
-    bool has_fading = false;         ///< some interior attenuates
+    bool has_fading = false; ///< some interior attenuates
 };
 
 } // namespace proxima

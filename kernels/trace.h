@@ -91,10 +91,8 @@ template <class Real, Features features> struct Tracer {
             const Vec3<Real> transmission = layers.transmission();
             if (magnitude(grey(transmission)) > Real(scene.adc_bailout)) {
                 PathState<Real> through = path;
-                if (scene.has_fading && interiors.contains(surface.primitive)) {
-                    const Vec3<Real> left = attenuation(interior_of(scene, surface.primitive), distance);
-                    through.throughput *= left;
-                }
+                if (scene.has_fading && interiors.contains(surface.primitive))
+                    through.throughput *= attenuation(interior_of(scene, surface.primitive), distance);
                 InteriorList behind;
                 behind.copy_from(interiors);
                 if (!transmit(through, behind, transmission, surface, hit)) {

@@ -91,10 +91,7 @@ private:
         return Pinned(static_cast<std::byte*>(memory));
     }
 
-    int ordinal_;
-    MemoryMeter memory_;
-    Stream stream_;
-    Pinned staging_; ///< uploads are converted here; reductions arrive here
+    /// Raw memory that only grows.
     class ByteBuffer {
     public:
         explicit ByteBuffer(CudaBackend& backend) : backend_(&backend) {}
@@ -123,6 +120,11 @@ private:
         void* data_ = nullptr;
         size_t capacity_ = 0;
     };
+
+    int ordinal_;
+    MemoryMeter memory_;
+    Stream stream_;
+    Pinned staging_;     ///< uploads are converted here; reductions arrive here
     ByteBuffer scratch_; ///< CUB's temporary storage, after a reduction's result
 };
 

@@ -7,7 +7,6 @@
 #include "renderer/grid_builder.h"
 
 #include <chrono>
-#include <limits>
 
 namespace proxima {
 
@@ -48,6 +47,7 @@ public:
     }
 
 private:
+    static constexpr uint64_t most_pixels = 1ull << 31; ///< kernels count in 32 bits
     using Clock = std::chrono::steady_clock;
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
@@ -56,8 +56,8 @@ private:
     }
 
     FilmView make_film(const FrameSettings& settings) {
-        if (uint64_t(settings.width) * settings.height > std::numeric_limits<uint32_t>::max())
-            throw DeviceError(DeviceError::Kind::out_of_memory, "a picture may have at most 2^32 - 1 pixels");
+        if (uint64_t(settings.width) * settings.height > most_pixels)
+            throw DeviceError(DeviceError::Kind::out_of_memory, "a picture may have at most 2^31 pixels");
         film_.resize(size_t(settings.width) * settings.height);
         return {film_.view(), settings.width, settings.height, settings.samples};
     }
