@@ -26,8 +26,6 @@ class CpuBackend {
 public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
-    /// Where building and tracing a million spheres together take least.
-    static constexpr double voxels_per_primitive = 2;
 
     /// `threads` 0 is one for each core that the process may use; there are never more.
     explicit CpuBackend(unsigned threads = 0) : arena_(usable(threads)) {}

@@ -29,7 +29,6 @@ template <class T> struct Combine {
 class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
-    static constexpr double voxels_per_primitive = 4;
 
     explicit CudaBackend(int ordinal = 0)
         : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this) {}

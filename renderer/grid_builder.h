@@ -46,7 +46,7 @@ public:
         const Box<Real>& bounds = scene.geometry.bounds;
         const Vec3<double> extent(bounds.upper - bounds.lower);
         const uint64_t budget = (backend_.available_memory() + starts_.bytes() + references_.bytes()) / 2;
-        GridRule rule{Backend::voxels_per_primitive};
+        GridRule rule;
         rule.most_voxels = std::min(rule.most_voxels, budget / 2 / sizeof(uint32_t));
         for (;; rule.voxels_per_primitive /= 2) {
             std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);

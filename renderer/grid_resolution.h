@@ -11,8 +11,9 @@
 namespace proxima {
 
 struct GridRule {
-    double voxels_per_primitive =
-        4;                  ///< the lambda of Cleary and Wyvill, "Analysis of an Algorithm for Fast Ray Tracing", 1988
+    /// The lambda of Cleary and Wyvill, "Analysis of an Algorithm for Fast Ray Tracing", 1988. Building and tracing a
+    /// million spheres together take least at 2, on the CPU and on an H100.
+    double voxels_per_primitive = 2;
     int32_t longest = 4096; ///< voxels along an axis at most: past it a walk's rounding outgrows a voxel's margin
     uint64_t most_voxels = 1ull << 31;
 };
