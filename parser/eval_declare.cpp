@@ -33,6 +33,9 @@ void Evaluator::predeclare() {
 }
 
 void Evaluator::declare_from_command_line(const std::string& name, const std::string& text) {
+    if (sources_.symbols.is_reserved(sources_.symbols.intern(name)))
+        return diagnostics_.error({}, fmt::format("--declare {}: '{}' is a reserved word", name, name),
+                                  "expected a name; one with a capital letter is never reserved");
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
         return predeclare(name, text.substr(1, text.size() - 2));
     double number = 0;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace proxima {
 namespace {
@@ -157,7 +156,7 @@ Terms Evaluator::factor() {
     switch (token.kind) {
     case TokenKind::number:
         advance();
-        return Terms(token.number);
+        return Terms(token.number());
     case TokenKind::name:
         return name_factor(token);
     case TokenKind::word: {
@@ -204,109 +203,6 @@ Terms Evaluator::name_factor(const Token& name) {
     advance();
     access(terms);
     return terms;
-}
-
-Terms Evaluator::vector_literal() {
-    expect(TokenKind::left_angle);
-    Terms terms;
-    terms.count = 0;
-    for (;;) {
-        const Token& at = peek();
-        if (terms.count >= 2 && at.kind == TokenKind::right_angle)
-            break;
-        if (terms.count == 5)
-            fail_unexpected("'>': a vector has at most 5 terms");
-        const double value = number();
-        terms.value[terms.count++] = value;
-        accept(TokenKind::comma);
-    }
-    advance();
-    return terms;
-}
-
-void Evaluator::access(Terms& terms) {
-    while (cursor_->directive == Directive::end && leave_macro()) {
-    }
-    if (cursor_->kind != TokenKind::dot)
-        return;
-    advance();
-    struct Member {
-        Word word;
-        int index;
-    };
-    static constexpr Member members[] = {{Word::x, 0}, {Word::u, 0},      {Word::red, 0},     {Word::y, 1},
-                                         {Word::v, 1}, {Word::green, 1},  {Word::z, 2},       {Word::blue, 2},
-                                         {Word::t, 3}, {Word::filter, 3}, {Word::transmit, 4}};
-    const Token& token = peek();
-    if (accept(Word::gray)) {
-        if (terms.count < 3)
-            fail(token, "only a color has a gray");
-        terms = Terms(0.297 * terms.value[0] + 0.589 * terms.value[1] + 0.114 * terms.value[2]);
-        return;
-    }
-    for (const Member& member : members) {
-        if (!accept(member.word))
-            continue;
-        if (member.index >= terms.count)
-            fail(token, fmt::format("this vector has {} terms and no .{}", terms.count, spelling(token)));
-        terms = Terms(terms.value[member.index]);
-        return;
-    }
-    fail_unexpected("x, y, z, t, u, v, red, green, blue, filter, transmit or gray");
-}
-
-bool Evaluator::starts_expression() {
-    const Token& token = peek();
-    switch (token.kind) {
-    case TokenKind::number:
-    case TokenKind::left_angle:
-    case TokenKind::left_paren:
-    case TokenKind::plus:
-    case TokenKind::minus:
-    case TokenKind::bang:
-        return true;
-    case TokenKind::name: {
-        const Binding* binding = scopes_.find(token.index);
-        return binding && std::holds_alternative<Terms>(binding->value);
-    }
-    case TokenKind::word:
-        return token.index >= uint32_t(Word::x) && token.index <= uint32_t(Word::val);
-    default:
-        return false;
-    }
-}
-
-double Evaluator::number() {
-    const Token& token = peek();
-    // The commonest number stands alone before a comma or a bracket.
-    if (token.kind == TokenKind::number && (&token)[1].kind == TokenKind::comma) {
-        advance();
-        return token.number;
-    }
-    const SourceSpan place = span(token);
-    const Terms terms = sum();
-    if (terms.count != 1)
-        throw SceneError(place, "a number is needed here, not a vector or color", "take one term of it, like .x");
-    return terms.value[0];
-}
-
-Terms Evaluator::vector_of(int count, const char* what) {
-    const SourceSpan place = span(peek());
-    Terms terms = sum();
-    if (terms.count > count)
-        throw SceneError(place, fmt::format("{} has at most {} terms, this one has {}", what, count, terms.count));
-    terms.promote(count);
-    if (!terms.finite())
-        throw SceneError(place, fmt::format("{} is not finite", what));
-    return terms;
-}
-
-Vec3<double> Evaluator::vector() {
-    return vector_of(3, "a vector").vector();
-}
-
-bool Evaluator::optional_flag(bool value) {
-    return starts_expression() ? is_true(number()) : value;
 }
 
 } // namespace proxima

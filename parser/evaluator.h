@@ -112,6 +112,8 @@ private:
     void run_for(const Token& directive);
     void run_end(const Token& directive);
     void leave_loop(const Token& opener);
+
+    // eval_includes.cpp
     void run_include(const Token& directive);
     void include_standard(const std::string& name, const Token& at);
     void leave_frame();
@@ -155,6 +157,8 @@ private:
     Terms factor();
     Terms name_factor(const Token& name);
     Terms word_factor(const Token& word);
+
+    // eval_terms.cpp
     Terms vector_literal();
     void access(Terms& terms);
     bool starts_expression();

@@ -5,6 +5,8 @@
 #include "kernels/geometry.h"
 #include "parser/symbols.h"
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -64,17 +66,20 @@ struct Token {
     uint16_t length = 1; ///< bytes, at most 65,535
     TokenKind kind = TokenKind::end_of_text;
     Directive directive = Directive::none;
-    union {
-        double number = 0;
-        struct {
-            /// name, word: the symbol. string, sphere_run: index into TokenProgram. A directive that opens a block:
-            /// the token of its #end; one inside of a block, #end included: the token that opened the block.
-            uint32_t index;
-            /// An opening bracket: the token of the closing one, or no_target. A directive with a condition: the
-            /// token of the branch to go on with when it is false.
-            uint32_t target;
-        };
-    };
+    /// name, word: the symbol. string, sphere_run: index into TokenProgram. A directive that opens a block:
+    /// the token of its #end; one inside of a block, #end included: the token that opened the block.
+    uint32_t index = 0;
+    /// An opening bracket: the token of the closing one, or no_target. A directive with a condition: the
+    /// token of the branch to go on with when it is false.
+    uint32_t target = 0;
+
+    /// A number keeps its value where the others have index and target.
+    double number() const { return std::bit_cast<double>(std::array{index, target}); }
+    void set_number(double value) {
+        const auto halves = std::bit_cast<std::array<uint32_t, 2>>(value);
+        index = halves[0];
+        target = halves[1];
+    }
 };
 static_assert(sizeof(Token) == 16);
 

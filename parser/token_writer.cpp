@@ -95,7 +95,9 @@ void TokenWriter::add(TokenKind kind, std::string_view piece) {
 
 void TokenWriter::add_number(std::string_view piece) {
     Token& token = append(TokenKind::number, piece);
-    const auto [end, error] = std::from_chars(piece.data(), piece.data() + piece.size(), token.number);
+    double number = 0;
+    const auto [end, error] = std::from_chars(piece.data(), piece.data() + piece.size(), number);
+    token.set_number(number);
     if (error != std::errc() || end != piece.data() + piece.size())
         diagnostics_.error(place(token), "this number is too large or too small for a double");
 }

@@ -108,6 +108,9 @@ TEST_CASE("declare: names of the command line") {
     EvaluationSettings settings;
     settings.declares = {{"N", "3.5"}, {"S", "\"text\""}};
     CHECK(scene_of("sphere { N*x, 1 }", settings).spheres[0].center.x == 3.5);
+    settings.declares.push_back({"sphere", "1"});
+    CHECK(error_of("sphere { 0, 1 }", settings) == "--declare sphere: 'sphere' is a reserved word");
+    settings.declares.pop_back();
     CHECK(scene_of("#if (S = \"text\") sphere { 0, 1 } #end", settings).spheres.size() == 1);
 }
 

@@ -2,6 +2,8 @@
 // Conditions, loops and includes; the centres of the spheres tell what ran.
 #include "tests/parser/evaluate.h"
 
+#include <fmt/format.h>
+
 using namespace proxima;
 using namespace proxima::testing;
 
@@ -11,7 +13,7 @@ namespace {
 std::string trace(const std::string& text) {
     std::string result;
     for (const Sphere<double>& sphere : scene_of(text).spheres)
-        result += (result.empty() ? "" : " ") + std::to_string(int(sphere.center.x));
+        result += fmt::format("{}{}", result.empty() ? "" : " ", int(sphere.center.x));
     return result;
 }
 
