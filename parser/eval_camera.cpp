@@ -33,13 +33,13 @@ Camera<double> Evaluator::camera() {
     std::optional<double> angle;
     Vec3<double> sky(0, 1, 0);
     TransformPair transform;
+    if (accept(Word::orthographic)) // the kind comes first
+        camera.kind = CameraKind::orthographic;
+    else
+        accept(Word::perspective);
     for (;;) {
         const Token& token = peek();
-        if (accept(Word::perspective)) {
-            camera.kind = CameraKind::perspective;
-        } else if (accept(Word::orthographic)) {
-            camera.kind = CameraKind::orthographic;
-        } else if (accept(Word::location)) {
+        if (accept(Word::location)) {
             camera.location = vector();
         } else if (accept(Word::look_at)) {
             look_at = vector();

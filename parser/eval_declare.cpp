@@ -127,6 +127,8 @@ Value Evaluator::right_hand_side() {
             return value;
         }
     }
+    if (peek_is(Word::t))
+        fail_unexpected("a value; a lone t needs parentheses");
     if (peek_is(Word::texture)) {
         uint32_t result = Surface::none;
         do {

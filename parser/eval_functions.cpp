@@ -55,8 +55,6 @@ Function function_of_one(Word word) {
         return std::sin;
     case Word::sinh:
         return std::sinh;
-    case Word::sqr:
-        return [](double x) { return x * x; };
     case Word::sqrt:
         return std::sqrt;
     case Word::tan:
@@ -76,7 +74,7 @@ int64_t to_integer(double x) {
 double function_of_two(Word word, double a, double b) {
     switch (word) {
     case Word::atan2:
-        return std::atan2(a, b);
+        return a == 0 && b == 0 ? NAN : std::atan2(a, b);
     case Word::div:
         return std::trunc(a / b);
     case Word::mod:

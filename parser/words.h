@@ -48,7 +48,7 @@ namespace proxima {
     X(cos, "cos") X(cosh, "cosh") X(degrees, "degrees") X(div, "div") X(exp, "exp") X(floor, "floor") \
     X(int_, "int") X(ln, "ln") X(log, "log") X(max, "max") X(min, "min") X(mod, "mod") X(pow, "pow") \
     X(radians, "radians") X(rand, "rand") X(seed, "seed") X(select, "select") X(sin, "sin") X(sinh, "sinh") \
-    X(sqr, "sqr") X(sqrt, "sqrt") X(tan, "tan") X(tanh, "tanh") X(bitwise_and, "bitwise_and") \
+    X(sqrt, "sqrt") X(tan, "tan") X(tanh, "tanh") X(bitwise_and, "bitwise_and") \
     X(bitwise_or, "bitwise_or") X(bitwise_xor, "bitwise_xor") X(defined, "defined") X(vdot, "vdot") \
     X(vlength, "vlength") X(vcross, "vcross") X(vnormalize, "vnormalize") X(vrotate, "vrotate") \
     X(vaxis_rotate, "vaxis_rotate") X(asc, "asc") X(strcmp, "strcmp") X(strlen, "strlen") X(val, "val") \

@@ -84,6 +84,7 @@ TEST_CASE("camera: mistakes") {
         {"fisheye", "Proxima does not support 'fisheye'"},
         {"aperture 0.5", "Proxima does not support 'aperture'"},
         {"locatoin x", "'locatoin' is not declared"},
+        {"location x orthographic", "unexpected 'orthographic'"},
     };
     for (const Case& test : cases) {
         CAPTURE(std::string(test.text));
