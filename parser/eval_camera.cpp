@@ -82,13 +82,12 @@ Camera<double> Evaluator::camera() {
         const double handedness = glm::dot(glm::cross(camera.up, camera.direction), camera.right);
         const Vec3<double> across = glm::cross(sky, aim / distance);
         camera.direction = aim / distance * direction_length;
-        if (glm::length(across) > 0) {
-            const Vec3<double> side = glm::normalize(across);
-            camera.right = handedness > 0 ? side * right_length : -side * right_length;
-            camera.up = glm::cross(aim / distance, side) * up_length;
-        } else {
+        const bool parallel = glm::length(across) < epsilon;
+        if (parallel)
             warn(start, "the camera looks along its sky vector");
-        }
+        const Vec3<double> side = glm::normalize(parallel ? camera.right : across);
+        camera.right = handedness > 0 ? side * right_length : -side * right_length;
+        camera.up = glm::cross(aim / distance, side) * up_length;
     }
     if (camera.kind == CameraKind::orthographic && ((!right && !up) || angle)) {
         // The picture is as large as a perspective camera's would be at the point looked at.

@@ -43,6 +43,18 @@ TEST_CASE("camera: look_at turns right and up about sky") {
     check_near(camera.up, {0, 0, 3});
 }
 
+TEST_CASE("camera: along its sky vector the given right stays") {
+    Camera<double> camera = camera_of("location 10*y look_at 0 right x");
+    check_near(camera.right, {1, 0, 0});
+    check_near(camera.up, {0, 0, 1});
+    camera = camera_of("location 10*y look_at 0 right -x");
+    check_near(camera.right, {1, 0, 0});
+    check_near(camera.up, {0, 0, -1});
+    camera = camera_of("location -10*y look_at 0 right z");
+    check_near(camera.right, {0, 0, -1});
+    check_near(camera.up, {1, 0, 0});
+}
+
 TEST_CASE("camera: the order of its statements does not matter, except among transforms") {
     const Camera<double> one = camera_of("look_at <1, 2, 3> angle 40 right x*4/3 location <0, 1, -9>");
     const Camera<double> other = camera_of("location <0, 1, -9> right x*4/3 angle 40 look_at <1, 2, 3>");
