@@ -79,12 +79,6 @@ template <> struct action<literal_begin> {
     static void apply0(TokenWriter& writer) { writer.begin_sphere(); }
 };
 
-template <> struct action<literal_number> {
-    template <class Input> static bool apply(const Input& in, TokenWriter& writer) {
-        return writer.literal_number(in.string_view());
-    }
-};
-
 template <> struct action<literal_texture_name> {
     template <class Input> static bool apply(const Input& in, TokenWriter& writer) {
         return writer.literal_texture(in.string_view());

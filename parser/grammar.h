@@ -2,7 +2,9 @@
 // The tokens of the scene language as PEGTL rules. What the tokens mean together is the evaluator's matter: directives
 // may stand between any two of them. Included by parse.cpp and by the grammar's test alone.
 #pragma once
-#include "tao/pegtl.hpp"
+#include "parser/decimal.h"
+
+#include <tao/pegtl.hpp>
 
 namespace proxima::grammar {
 namespace pegtl = tao::pegtl;
@@ -10,11 +12,12 @@ namespace pegtl = tao::pegtl;
 
 // What separates tokens. Comments between /* and */ nest.
 struct byte_order_mark : pegtl::string<'\xef', '\xbb', '\xbf'> {};
-struct blank : pegtl::plus<pegtl::one<' ', '\t', '\r', '\n', '\f', '\v'>> {};
+struct blank : pegtl::ranges<'\t', '\r', ' '> {}; // '\t' to '\r' are all that ASCII has besides the space
 struct line_comment : pegtl::seq<pegtl::string<'/', '/'>, pegtl::until<pegtl::eolf>> {};
 struct comment_rest; // a rule of its own, below: no depth of comments may exhaust the stack
 struct nested_comment : pegtl::seq<pegtl::string<'/', '*'>, comment_rest> {};
-struct space : pegtl::star<pegtl::sor<blank, line_comment, nested_comment>> {};
+struct comment : pegtl::seq<pegtl::at<pegtl::one<'/'>>, pegtl::sor<line_comment, nested_comment>> {};
+struct space : pegtl::seq<pegtl::star<blank>, pegtl::star<comment, pegtl::star<blank>>> {};
 
 // Names and reserved words.
 struct identifier_start : pegtl::sor<pegtl::alpha, pegtl::one<'_'>> {};
@@ -73,7 +76,7 @@ struct punctuation : pegtl::sor<comma, bracket, less_equal, greater_equal, not_e
 // Big scenes consist of them: this rule is tried first, and whatever it cannot match is read as ordinary tokens.
 struct sphere_keyword : pegtl::seq<pegtl::string<'s', 'p', 'h', 'e', 'r', 'e'>, pegtl::not_at<identifier_part>> {};
 struct texture_keyword : pegtl::string<'t', 'e', 'x', 't', 'u', 'r', 'e'> {};
-struct literal_number : pegtl::seq<pegtl::opt<pegtl::one<'-'>>, number> {};
+struct literal_number; // a rule of its own, below: it reads the value while it matches
 template <class Rule> struct spaced : pegtl::seq<Rule, space> {};
 struct separator : pegtl::seq<space, pegtl::one<','>, space> {};
 struct literal_vector : pegtl::seq<spaced<pegtl::one<'<'>>, literal_number, separator, literal_number, separator, literal_number,
@@ -117,6 +120,24 @@ struct comment_rest {
             }
         }
         return false;
+    }
+};
+
+/// A number with an optional minus. Its value goes to the states' literal_number().
+struct literal_number {
+    using rule_t = literal_number;
+    using subs_t = pegtl::empty_list;
+
+    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class, class Input,
+              class... States>
+    static bool match(Input& in, States&&... states) {
+        double value = 0;
+        const char* const end = read_decimal(in.current(), in.end(), value);
+        if (!end)
+            return false;
+        in.bump_in_this_line(size_t(end - in.current()));
+        (states.literal_number(value), ...);
+        return true;
     }
 };
 

@@ -4,6 +4,7 @@
 #include "parser/words.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>

@@ -5,7 +5,6 @@
 #include "parser/diagnostics.h"
 #include "parser/token.h"
 
-#include <charconv>
 #include <string_view>
 
 namespace proxima {
@@ -31,10 +30,7 @@ public:
         literal_count_ = 0;
         literal_surface_ = SphereRun::no_surface;
     }
-    /// False when the number is too large for a double.
-    bool literal_number(std::string_view piece) {
-        return std::from_chars(piece.data(), piece.data() + piece.size(), literal_[literal_count_++]).ec == std::errc();
-    }
+    void literal_number(double value) { literal_[literal_count_++] = value; }
     /// False when the name is a reserved word: then this is no literal sphere.
     bool literal_texture(std::string_view name);
     /// False when the sphere is one that the evaluator has to complain about.

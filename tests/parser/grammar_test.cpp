@@ -2,6 +2,8 @@
 // The grammar by itself: which texts its rules match, and that none of them can loop without consuming.
 #include "parser/grammar.h"
 
+#include <bit>
+#include <cmath>
 #include <doctest/doctest.h>
 #include <string>
 #include <tao/pegtl/contrib/analyze.hpp>
@@ -9,6 +11,8 @@
 namespace tao::pegtl {
 
 template <class Name> struct analyze_traits<Name, proxima::grammar::comment_rest> : analyze_any_traits<> {};
+
+template <class Name> struct analyze_traits<Name, proxima::grammar::literal_number> : analyze_any_traits<> {};
 
 } // namespace tao::pegtl
 
@@ -36,6 +40,42 @@ TEST_CASE("grammar: numbers are written as in POV-Ray") {
     for (const char* text : {"", ".", "-1", "1e", "1.5.2", "e5", "0x10"}) {
         CAPTURE(std::string(text));
         CHECK(!matches<grammar::whole_number>(text));
+    }
+}
+
+TEST_CASE("grammar: the fast numbers of literal spheres are std::from_chars's, to the bit") {
+    for (const std::string text : {"0",
+                                   "-0",
+                                   "1",
+                                   "0.1",
+                                   "-0.1",
+                                   "123456789012345",
+                                   "1234567890123456",
+                                   "0.123456789012345",
+                                   "0.1234567890123456789",
+                                   ".5",
+                                   "5.",
+                                   "-5.25",
+                                   "1e3",
+                                   "1.5E-3",
+                                   "9007199254740993",
+                                   "0.000000000000001",
+                                   "123456.789012345",
+                                   "1e-320",
+                                   "17.03",
+                                   "99999.9999999999",
+                                   "3.141592653589793238",
+                                   "0.30000000000000004"}) {
+        CAPTURE(text);
+        double value = NAN, expected = NAN;
+        CHECK(read_decimal(text.data(), text.data() + text.size(), value) == text.data() + text.size());
+        std::from_chars(text.data(), text.data() + text.size(), expected);
+        CHECK(std::bit_cast<uint64_t>(value) == std::bit_cast<uint64_t>(expected));
+    }
+    for (const std::string text : {"", "-", ".", "-.", "x", "e5", "+1", "1e999"}) {
+        CAPTURE(text);
+        double value = 0;
+        CHECK(read_decimal(text.data(), text.data() + text.size(), value) == nullptr);
     }
 }
 
