@@ -181,8 +181,6 @@ void Evaluator::run_for(const Token& directive) {
         loop.step = number();
     const Token& closing = peek();
     expect(TokenKind::right_paren);
-    if (!std::isfinite(start) || !std::isfinite(loop.end) || !std::isfinite(loop.step))
-        fail(closing, "the bounds of a loop must be finite");
     if (std::abs(loop.step) < epsilon)
         fail(closing, "the step of a loop must not be 0");
     Binding& binding = scopes_.declare_local(variable);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 namespace proxima {
@@ -66,8 +67,16 @@ Function function_of_one(Word word) {
     }
 }
 
-int64_t to_integer(double x) {
-    return int64_t(std::clamp(x, -9e18, 9e18));
+/// Whether POV-Ray's conversion to an integer keeps the value.
+bool fits_integer(double x) {
+    return x >= std::numeric_limits<int32_t>::min() && x <= std::numeric_limits<int32_t>::max();
+}
+
+double bitwise(Word word, double a, double b) {
+    if (!fits_integer(a) || !fits_integer(b))
+        return NAN;
+    const int32_t i = int32_t(a), j = int32_t(b);
+    return word == Word::bitwise_and ? i & j : word == Word::bitwise_or ? i | j : i ^ j;
 }
 
 /// The functions of two numbers. bitwise_* take any number of them, as min and max do.
@@ -85,12 +94,8 @@ double function_of_two(Word word, double a, double b) {
         return std::max(a, b);
     case Word::min:
         return std::min(a, b);
-    case Word::bitwise_and:
-        return double(to_integer(a) & to_integer(b));
-    case Word::bitwise_or:
-        return double(to_integer(a) | to_integer(b));
     default:
-        return double(to_integer(a) ^ to_integer(b));
+        return bitwise(word, a, b);
     }
 }
 
@@ -182,9 +187,13 @@ Terms Evaluator::call_function(const Token& token) {
             ++changes_;
             break;
         }
-        case Word::seed:
-            result = double(random_.seed(checked(token, argument())));
+        case Word::seed: {
+            const double start = argument();
+            if (!fits_integer(start))
+                fail(token, "a stream of random numbers starts from a number between -2147483648 and 2147483647");
+            result = double(random_.seed(start));
             break;
+        }
         case Word::select: {
             const double choice = argument();
             separator();

@@ -60,8 +60,6 @@ void Evaluator::sphere(Shape& shape) {
     accept(TokenKind::comma);
     const Token& at = peek();
     const double radius = number();
-    if (!std::isfinite(radius))
-        fail(at, "the radius of a sphere must be finite");
     if (!(radius > 0))
         fail(at, fmt::format("the radius of a sphere must be above 0, this one is {}", radius));
     shape.spheres.push_back({{center, radius}, {}});
@@ -76,13 +74,10 @@ void Evaluator::plane(Shape& shape) {
     const Token& at = peek();
     const Vec3<double> normal = vector();
     accept(TokenKind::comma);
-    const Token& distance_at = peek();
     const double distance = number();
     const double length = glm::length(normal);
     if (!(length > 0))
         fail(at, "the normal of a plane must have a length");
-    if (!std::isfinite(distance))
-        fail(distance_at, "the distance of a plane must be finite");
     shape.planes.push_back({{normal / length, distance, 0}, {}});
 }
 

@@ -59,7 +59,7 @@ void Evaluator::assumed_gamma() {
         return;
     }
     const double gamma = number();
-    if (!(gamma > 0 && std::isfinite(gamma)))
+    if (!(gamma > 0))
         fail(token, "assumed_gamma must be above 0");
     scene.working_gamma = float(gamma);
     scene.working_curve = std::abs(gamma - 1) < epsilon ? WorkingCurve::linear : WorkingCurve::power;

@@ -88,6 +88,8 @@ double Evaluator::number() {
     const Terms terms = sum();
     if (terms.count != 1)
         throw SceneError(place, "a number is needed here, not a vector or color", "take one term of it, like .x");
+    if (!terms.finite())
+        throw SceneError(place, "this number is not finite");
     return terms.value[0];
 }
 

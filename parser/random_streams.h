@@ -8,9 +8,9 @@ namespace proxima {
 
 class RandomStreams {
 public:
-    /// Starts a stream. Returns its number.
+    /// Starts a stream from a number in the range of int32_t, whose fraction is dropped. Returns the stream's number.
     uint32_t seed(double value) {
-        states_.push_back(uint32_t(int64_t(value)));
+        states_.push_back(uint32_t(int32_t(value)));
         return uint32_t(states_.size() - 1);
     }
     bool has(double stream) const { return stream >= 0 && stream < double(states_.size()); }

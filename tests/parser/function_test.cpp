@@ -80,12 +80,16 @@ TEST_CASE("functions: random numbers are POV-Ray's") {
     CHECK(scene.spheres[0].center.x == doctest::Approx(0.735663955038).epsilon(1e-11));
     CHECK(scene.spheres[0].center.y == doctest::Approx(2.874294e-6).epsilon(1e-6));
     CHECK(scene.spheres[0].center.z == doctest::Approx(0.834535582185).epsilon(1e-11));
+    CHECK(number_of("rand(seed(-1))") == doctest::Approx(0.578013).epsilon(1e-6));
+    CHECK(error_of("#declare R = seed(3e9);") ==
+          "a stream of random numbers starts from a number between -2147483648 and 2147483647");
     CHECK(error_of("sphere { rand(3), 1 }") == "this is no stream of random numbers");
 }
 
 TEST_CASE("functions: values that do not exist are mistakes") {
-    for (const char* text : {"sqrt(-1)", "atan2(0, 0)", "ln(0)", "log(-1)", "pow(0, 0)", "asin(2)", "acos(-2)",
-                             "pow(-8, 1/3)", "mod(3, 0)", "div(3, 0)", "exp(1000)", "acosh(0.5)", "atanh(1)"}) {
+    for (const char* text :
+         {"sqrt(-1)", "atan2(0, 0)", "ln(0)", "log(-1)", "pow(0, 0)", "asin(2)", "acos(-2)", "pow(-8, 1/3)",
+          "mod(3, 0)", "div(3, 0)", "exp(1000)", "acosh(0.5)", "atanh(1)", "bitwise_and(3000000000, 1)"}) {
         CAPTURE(std::string(text));
         CHECK(error_of(std::string("sphere { ") + text + ", 1 }").find("has no finite value here") !=
               std::string::npos);

@@ -48,7 +48,7 @@ TEST_CASE("limits: strings do not grow without end") {
 
 TEST_CASE("limits: numbers that overflow a place are refused") {
     CHECK(error_of("sphere { 1e308*10, 1 }") == "a vector is not finite");
-    CHECK(error_of("sphere { 0, 1e308*10 }") == "the radius of a sphere must be finite");
+    CHECK(error_of("sphere { 0, 1e308*10 }") == "this number is not finite");
     CHECK(error_of("sphere { 0, 1 pigment { rgb 1e308*10 } }") == "this color is not finite");
-    CHECK(error_of("#for (I, 0, 1e308*10) #end") == "the bounds of a loop must be finite");
+    CHECK(error_of("#for (I, 0, 1e308*10) #end") == "this number is not finite");
 }
