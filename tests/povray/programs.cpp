@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/povray/programs.h"
+
+#include "tests/process.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace proxima::testing {
+namespace fs = std::filesystem;
+namespace {
+
+/// POV-Ray may hang; a small picture never takes this long.
+constexpr double timeout_seconds = 60;
+
+Picture16 picture_by(std::vector<std::string> command, const std::vector<std::string>& more, const fs::path& output) {
+    command.insert(command.end(), more.begin(), more.end());
+    fs::remove(output);
+    const auto run = run_process(command, ".", timeout_seconds);
+    if (run.exit_code != 0)
+        throw std::runtime_error(fmt::format("{} ended with {}:\n{}", command[0], run.exit_code, run.standard_error));
+    return read_picture16(output);
+}
+
+} // namespace
+
+Picture16 povray_picture(const Shot& shot, const fs::path& output) {
+    return picture_by({"povray", "+I" + shot.scene.string(), "+O" + output.string(), fmt::format("+W{}", shot.width),
+                       fmt::format("+H{}", shot.height), "+FN16", "File_Gamma=1.0", "-A", "-D", "+WT1",
+                       "+L" + shot.scene.parent_path().string(), std::string("+K") + shot_clock},
+                      shot.povray_options, output);
+}
+
+Picture16 proxima_picture(const Shot& shot, const fs::path& output, const std::string& precision) {
+    std::vector<std::string> command = {PROXIMA_PROGRAM,
+                                        "render",
+                                        shot.scene.string(),
+                                        "-o",
+                                        output.string(),
+                                        "--size",
+                                        fmt::format("{}x{}", shot.width, shot.height),
+                                        "--tolerances",
+                                        "povray",
+                                        "--precision",
+                                        precision,
+                                        "--bits",
+                                        "16",
+                                        "--clock",
+                                        shot_clock,
+                                        "--device",
+                                        "cpu"};
+    if (std::find(shot.proxima_options.begin(), shot.proxima_options.end(), "--view") == shot.proxima_options.end())
+        command.insert(command.end(), {"--view", "Raw"});
+    return picture_by(command, shot.proxima_options, output);
+}
+
+std::map<std::string, std::vector<Pixel>> excused_pixels() {
+    std::map<std::string, std::vector<Pixel>> result;
+    std::ifstream file(fs::path(PROXIMA_TEST_SOURCES) / "excused_pixels.txt");
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::string scene;
+        Pixel pixel;
+        if (words >> scene >> pixel.x >> pixel.y && scene[0] != '#')
+            result[scene].push_back(pixel);
+    }
+    return result;
+}
+
+std::vector<fs::path> scenes_in(const fs::path& folder) {
+    std::vector<fs::path> scenes;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".scn")
+            scenes.push_back(entry.path());
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+} // namespace proxima::testing
