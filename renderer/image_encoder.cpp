@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only file that uses OpenImageIO. It encodes into memory: OpenImageIO 2.4's PNG writer does not notice a full
-// disk, and its JPEG writer ends the process on one.
+// With image_decoder.cpp the only file that uses OpenImageIO. It encodes into memory: OpenImageIO 2.4's PNG writer does
+// not notice a full disk, and its JPEG writer ends the process on one.
 #include "renderer/image_encoder.h"
 
 #include <OpenImageIO/filesystem.h>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands between the program and its image encoder. OpenImageIO brings 260 libraries with it, which cost a
-// quarter of a second and 130 MB to load; they stay in a module of their own (image_encoder.cpp) that is loaded while
-// the first frame is rendered.
+// The writing half of the image module, see image_module.h.
 #pragma once
 #include "renderer/output_name.h"
 
@@ -27,7 +25,6 @@ struct EncodeRequest {
 /// The file's bytes. The same request gives the same bytes. Throws std::runtime_error.
 using EncodeImage = std::vector<unsigned char>(const EncodeRequest& request);
 
-inline constexpr const char encoder_module[] = "libproxima_image_encoder.so";
 inline constexpr const char encoder_function[] = "proxima_encode_image";
 
 } // namespace proxima

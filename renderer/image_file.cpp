@@ -1,44 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/image_file.h"
 #include "parser/source_files.h"
+#include "renderer/image_decoder.h"
+#include "renderer/image_module.h"
 
 #include <algorithm>
-#include <dlfcn.h>
-#include <filesystem>
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
 #include <limits>
+#include <string_view>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <unistd.h>
 
 namespace proxima {
 namespace {
 
 constexpr float largest_half = 65504.0f; // beyond it a half is infinite
-
-/// Libraries deep below OpenImageIO. The loader looks for each of 150,000 symbols in every library of what is being
-/// opened together, so opening these on their own first nearly halves the time (0.25 s to 0.14 s). One that has another
-/// version is passed over.
-constexpr const char* opened_first[] = {"libdcmdata.so.17", "libopencv_imgcodecs.so.406", "libopenvdb.so.10.0"};
-
-/// The module beside the program, where an installation puts it, or on the library path.
-void* open_module() {
-    const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-    for (const auto& path : {folder / encoder_module, folder / "../lib/proxima" / encoder_module})
-        if (std::filesystem::exists(path))
-            return ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
-    return ::dlopen(encoder_module, RTLD_LAZY | RTLD_LOCAL);
-}
-
-EncodeImage* load_encoder() {
-    for (const char* library : opened_first)
-        ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
-    void* module = open_module();
-    void* function = module ? ::dlsym(module, encoder_function) : nullptr;
-    if (!function)
-        throw FileError(
-            fmt::format("the image encoder cannot be loaded: {}; it belongs beside the program", ::dlerror()));
-    return reinterpret_cast<EncodeImage*>(function);
-}
 
 template <class Output, class Convert> std::vector<Output> convert_samples(const Image& image, const Convert& convert) {
     std::vector<Output> samples(image.rgb.size());
@@ -54,9 +33,14 @@ template <class Integer> std::vector<Integer> quantize_all(const Image& image) {
         image, [](float value) { return quantize<Integer>(value, std::numeric_limits<Integer>::max()); });
 }
 
+std::string first_line(std::string_view text) {
+    return std::string(text.substr(0, text.find('\n')));
+}
+
 } // namespace
 
-ImageEncoder::ImageEncoder() : function_(std::async(std::launch::async, load_encoder).share()) {}
+ImageEncoder::ImageEncoder()
+    : function_(std::async(std::launch::async, image_module_function<EncodeImage>, encoder_function).share()) {}
 
 std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageFileSettings& settings) {
     EncodeRequest request{.format = settings.format,
@@ -90,6 +74,19 @@ std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageF
         break;
     }
     return encode(request);
+}
+
+StoredImage read_image_file(const std::filesystem::path& path) {
+    if (::access(path.c_str(), R_OK) != 0)
+        throw FileError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+    if (std::error_code error; !std::filesystem::is_regular_file(path, error))
+        throw FileError(fmt::format("{}: cannot be read: it is not a file", path.string()));
+    DecodeImage* const decode = image_module_function<DecodeImage>(decoder_function);
+    try {
+        return decode(path.string());
+    } catch (const std::runtime_error& reason) {
+        throw FileError(fmt::format("{}: not a readable picture: {}", path.string(), first_line(reason.what())));
+    }
 }
 
 } // namespace proxima

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finished picture in, a file's bytes out: display colours or linear light, rounded as the file wants them.
+// A finished picture in, a file's bytes out: display colours or linear light, rounded as the file wants them. And a
+// picture file in, its numbers out.
 #pragma once
 #include "renderer/image.h"
 #include "renderer/image_encoder.h"
+#include "renderer/stored_image.h"
 
+#include <filesystem>
 #include <future>
 #include <string>
 #include <vector>
@@ -38,5 +41,9 @@ public:
 private:
     std::shared_future<EncodeImage*> function_;
 };
+
+/// Reads a whole picture file, of any kind that OpenImageIO knows. Throws FileError when it cannot be read, is damaged
+/// or cut short, or holds something else than one flat picture of 8 or 16 bits, half or float.
+StoredImage read_image_file(const std::filesystem::path& path);
 
 } // namespace proxima

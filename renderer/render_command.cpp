@@ -2,8 +2,8 @@
 // The order of work of `proxima render`: everything that can be refused is refused first, then frames are rendered here
 // and coloured, encoded and written on the writer's thread.
 #include "renderer/atomic_file.h"
+#include "renderer/choose_renderer.h"
 #include "renderer/commands.h"
-#include "renderer/device_error.h"
 #include "renderer/errors.h"
 #include "renderer/frame_writer.h"
 #include "renderer/image_file.h"
@@ -17,26 +17,6 @@
 
 namespace proxima {
 namespace {
-
-std::unique_ptr<FrameRenderer> make_renderer(const DeviceChoice& choice, unsigned threads) {
-    if (choice.kind == DeviceChoice::Kind::cpu)
-        return make_cpu_renderer(threads);
-    std::string reason;
-    if (choice.kind == DeviceChoice::Kind::automatic && list_cuda_devices(reason).empty())
-        return make_cpu_renderer(threads);
-    try {
-        return make_cuda_renderer(choice.ordinal);
-    } catch (const DeviceError& error) {
-        if (error.kind != DeviceError::Kind::unavailable)
-            throw;
-        if (choice.kind == DeviceChoice::Kind::automatic)
-            return make_cpu_renderer(threads);
-        throw UsageError(
-            fmt::format("--device cuda:{}: {}; `proxima devices` lists what there is, and --device cpu always "
-                        "works",
-                        choice.ordinal, error.what()));
-    }
-}
 
 void check_outputs(const RenderOptions& options) {
     for (const int64_t frame : {options.scene.animation.frames.front(), options.scene.animation.frames.back()})
@@ -93,7 +73,7 @@ void render_command(const RenderOptions& options) {
     if (!is_scene_linear(options.type))
         color.emplace(options.color);
 
-    auto starting_renderer = std::async(std::launch::async, make_renderer, options.device, options.threads);
+    auto starting_renderer = std::async(std::launch::async, choose_renderer, options.device, options.threads);
     SceneSource scene(options.scene);
     check_outputs(options);
     scene.load(animation.frames.front());

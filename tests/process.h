@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs another program as a user would: arguments in; exit code, output, time and peak memory out.
+// Runs another program as a user would: the renderer's own way, by the tests' names.
 #pragma once
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "renderer/child_process.h"
 
 namespace proxima::testing {
 
-struct ProcessResult {
-    int exit_code = 0; ///< 128 + n when signal n ended it
-    std::string standard_output;
-    std::string standard_error;
-    double wall_seconds = 0;
-    double cpu_seconds = 0;  ///< user and system
-    uint64_t peak_bytes = 0; ///< largest resident set
-};
-
-/// Runs `arguments[0]` (looked up in PATH) in `folder` and waits for it. Standard input is empty.
-/// It is killed after `timeout_seconds` (exit code 137). Throws std::runtime_error when it cannot be started.
-ProcessResult run_process(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".",
-                          double timeout_seconds = 600);
+using proxima::ProcessResult;
+using proxima::run_process;
 
 } // namespace proxima::testing

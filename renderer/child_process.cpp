@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/process.h"
+#include "renderer/child_process.h"
 
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
-namespace proxima::testing {
+namespace proxima {
 namespace {
 
 // The child writes into unnamed files, not pipes: nothing has to be drained while it runs.
@@ -52,6 +53,7 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
     if (child < 0)
         throw std::runtime_error("fork failed");
     if (child == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL); // whoever ends this program ends what it started
         dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
         dup2(fileno(output.file), STDOUT_FILENO);
         dup2(fileno(error.file), STDERR_FILENO);
@@ -81,4 +83,4 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
     };
 }
 
-} // namespace proxima::testing
+} // namespace proxima
