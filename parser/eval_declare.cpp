@@ -101,7 +101,7 @@ void Evaluator::run_declare(const Token& directive) {
         changes_ += value_changes(binding.value, value);
         binding.value = std::move(value);
         binding.declared = declared;
-        binding.predeclared = false;
+        binding.predeclared = sources_.is_standard(program_->file);
     } catch (const SceneError&) {
         failed_names_.insert(symbol);
         throw;

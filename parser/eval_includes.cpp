@@ -3,7 +3,6 @@
 #include "parser/evaluator.h"
 #include "parser/standard_includes.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace proxima {
@@ -14,15 +13,19 @@ void Evaluator::run_include(const Token& directive) {
     const std::string name = string();
     if (includes_ >= include_depth_limit)
         fail(directive, fmt::format("files include each other more than {} deep", include_depth_limit));
-    TokenProgram* program = nullptr;
     try {
         const std::optional<uint32_t> file = sources_.files.open_include(name);
         if (!file)
             return include_standard(name, name_token);
-        program = sources_.program(*file, diagnostics_);
+        enter_text(*file);
     } catch (const FileError& error) {
         fail(name_token, error.what());
     }
+}
+
+/// Goes on at the beginning of a text; its end leads back.
+void Evaluator::enter_text(uint32_t file) {
+    TokenProgram* const program = sources_.program(file, diagnostics_);
     if (!program)
         return;
     frames_.push_back({program_, cursor_, loops_.size(), nullptr});
@@ -34,21 +37,17 @@ void Evaluator::run_include(const Token& directive) {
 
 /// Declares what a standard file of POV-Ray's would. The scene's own file of that name goes first.
 void Evaluator::include_standard(const std::string& name, const Token& at) {
-    const StandardInclude kind = standard_include(name);
-    if (kind == StandardInclude::unknown)
+    const StandardFile* const standard = find_standard_file(name);
+    if (!standard)
         fail(at, fmt::format("there is no file {}", name), "it is searched beside the scene and in the include paths");
-    if (kind == StandardInclude::colors) {
-        for (const StandardColor& color : standard_colors()) {
-            Terms terms;
-            terms.count = 5;
-            std::copy_n(color.rgbft, 5, terms.value);
-            predeclare(color.name, terms);
-        }
-    } else {
-        warn(at, fmt::format("of the names in {} Proxima knows none", name));
+    if (!standard->guard.empty()) {
+        if (scopes_.find(sources_.symbols.intern(standard->guard)))
+            return;
+        predeclare(standard->guard, Terms(version_));
     }
-    // Each of these files ends in a #version with the value that the version had: from here on the scene has one.
-    has_version_ = true;
+    for (const RefusedNames& refused : standard->refused)
+        for_each_name(refused, [&](std::string_view refused_name) { predeclare(refused_name, Refused{refused.word}); });
+    enter_text(sources_.standard_file(*standard));
 }
 
 /// Goes back to the caller of the text or macro.

@@ -12,7 +12,8 @@ void Evaluator::run_macro(const Token& directive) {
     ++cursor_;
     const SourceSpan declared = span(*cursor_);
     const Symbol symbol = declared_name();
-    if (const Binding* known = scopes_.find(symbol); known && !std::holds_alternative<MacroRef>(known->value))
+    if (const Binding* known = scopes_.find(symbol);
+        known && !std::holds_alternative<MacroRef>(known->value) && !std::holds_alternative<Refused>(known->value))
         fail(cursor_[-1], fmt::format("'{}' is {} already", spelling(cursor_[-1]), value_description(known->value)));
     Macro macro{program_, &directive, nullptr, {}};
     const auto expect_here = [&](TokenKind kind, const char* expected) {
@@ -31,7 +32,7 @@ void Evaluator::run_macro(const Token& directive) {
     Binding& binding = scopes_.declare(symbol);
     binding.value = std::make_shared<const Macro>(std::move(macro));
     binding.declared = declared;
-    binding.predeclared = false;
+    binding.predeclared = sources_.is_standard(program_->file);
     cursor_ = &program_->tokens[directive.index + 1];
 }
 

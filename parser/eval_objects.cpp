@@ -191,6 +191,8 @@ uint32_t Evaluator::literal_texture(uint32_t surface) {
         at = text.find(spelled, at + 1);
     token.offset = uint32_t(at);
     token.length = uint16_t(spelled.size());
+    if (const Refused* refused = binding ? std::get_if<Refused>(&binding->value) : nullptr)
+        fail_refused(token, spelled, *refused);
     if (binding)
         fail(token, fmt::format("unexpected '{}', which is {}", spelled, value_description(binding->value)),
              "expected the name of a texture");

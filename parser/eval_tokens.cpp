@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The evaluator's stream of tokens and the messages about what stands in it.
 #include "parser/evaluator.h"
+#include "parser/standard_includes.h"
 
 #include <fmt/format.h>
 
@@ -83,8 +84,11 @@ void Evaluator::fail_unexpected(const std::string& expected) {
         }
         break;
     case TokenKind::name:
-        if (const Binding* binding = scopes_.find(token.index))
+        if (const Binding* binding = scopes_.find(token.index)) {
+            if (const Refused* refused = std::get_if<Refused>(&binding->value))
+                fail_refused(token, text, *refused);
             fail(token, fmt::format("unexpected '{}', which is {}", text, value_description(binding->value)), hint);
+        }
         fail_undeclared(token, text, expected);
     default:
         break;
@@ -92,10 +96,19 @@ void Evaluator::fail_unexpected(const std::string& expected) {
     fail(token, fmt::format("unexpected '{}'", text), hint);
 }
 
+void Evaluator::fail_refused(const Token& token, std::string_view name, const Refused& refused) {
+    const std::string_view advice = word_advice(refused.word);
+    fail(token, fmt::format("'{}' needs '{}', which Proxima does not support", name, refused.word),
+         advice.empty() ? "declare something of your own instead" : std::string(advice));
+}
+
 void Evaluator::fail_undeclared(const Token& token, std::string_view name, const std::string& expected) {
     // The mistake in its declaration was reported: this one only follows from it.
     if (failed_names_.contains(sources_.symbols.intern(name)))
         throw SceneError(span(token), "");
+    if (const StandardFile* standard = standard_file_of(name))
+        fail(token, fmt::format("'{}' is not declared", name),
+             fmt::format("it is in {0}: write #include \"{0}\" before it", standard->name));
     const std::string near = suggestion(name);
     fail(token, fmt::format("'{}' is not declared", name), near.empty() ? "expected " + expected : near);
 }

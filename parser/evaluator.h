@@ -97,6 +97,7 @@ private:
     [[noreturn]] void fail_expected(TokenKind kind);
     [[noreturn]] void fail_unexpected(const std::string& expected);
     [[noreturn]] void fail_steps();
+    [[noreturn]] void fail_refused(const Token& token, std::string_view name, const Refused& refused);
     [[noreturn]] void fail_undeclared(const Token& token, std::string_view name, const std::string& expected);
     std::string unclosed_item() const;
     std::string suggestion(std::string_view name) const;
@@ -115,6 +116,7 @@ private:
 
     // eval_includes.cpp
     void run_include(const Token& directive);
+    void enter_text(uint32_t file);
     void include_standard(const std::string& name, const Token& at);
     void leave_frame();
     void run_version();

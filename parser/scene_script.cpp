@@ -3,6 +3,9 @@
 
 #include "parser/evaluator.h"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace proxima {
 
 TokenProgram* ScriptSources::program(uint32_t file, Diagnostics& diagnostics) {
@@ -11,6 +14,16 @@ TokenProgram* ScriptSources::program(uint32_t file, Diagnostics& diagnostics) {
     if (!programs[file])
         programs[file] = std::make_unique<TokenProgram>(parse_text(files, file, symbols, diagnostics));
     return programs[file]->valid ? programs[file].get() : nullptr;
+}
+
+uint32_t ScriptSources::standard_file(const StandardFile& file) {
+    const auto known = std::ranges::find(standard, &file);
+    if (known != standard.end())
+        return uint32_t(known - standard.begin());
+    const uint32_t index = files.add_text(fmt::format("{} (built in)", file.name), standard_text(file));
+    standard.resize(index + 1);
+    standard[index] = &file;
+    return index;
 }
 
 struct SceneScript::Implementation {

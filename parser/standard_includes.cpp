@@ -1,166 +1,96 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parser/standard_includes.h"
 
+#include "parser/standard/refused_patterns.h"
+#include "parser/standard/refused_shapes.h"
+#include "parser/standard/texts.h"
+
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 
 namespace proxima {
 namespace {
 
-// clang-format off
-/// The colours that colors.inc of POV-Ray 3.7 declares, by name.
-constexpr StandardColor colors[] = {
-{"Aquamarine", {0.439216, 0.858824, 0.576471}},
-{"BakersChoc", {0.36, 0.2, 0.09}},
-{"Black", {0, 0, 0}},
-{"Blue", {0, 0, 1}},
-{"BlueViolet", {0.62352, 0.372549, 0.623529}},
-{"Brass", {0.71, 0.65, 0.26}},
-{"BrightGold", {0.85, 0.85, 0.1}},
-{"Bronze", {0.55, 0.47, 0.14}},
-{"Bronze2", {0.65, 0.49, 0.24}},
-{"Brown", {0.647059, 0.164706, 0.164706}},
-{"CadetBlue", {0.372549, 0.623529, 0.623529}},
-{"Clear", {1, 1, 1, 1}},
-{"CoolCopper", {0.85, 0.53, 0.1}},
-{"Copper", {0.72, 0.45, 0.2}},
-{"Coral", {1, 0.498039, 0}},
-{"CornflowerBlue", {0.258824, 0.258824, 0.435294}},
-{"Cyan", {0, 1, 1}},
-{"DarkBrown", {0.36, 0.25, 0.2}},
-{"DarkGreen", {0.184314, 0.309804, 0.184314}},
-{"DarkOliveGreen", {0.309804, 0.309804, 0.184314}},
-{"DarkOrchid", {0.6, 0.196078, 0.8}},
-{"DarkPurple", {0.53, 0.12, 0.47}},
-{"DarkSlateBlue", {0.119608, 0.137255, 0.556863}},
-{"DarkSlateGray", {0.184314, 0.309804, 0.309804}},
-{"DarkSlateGrey", {0.184314, 0.309804, 0.309804}},
-{"DarkTan", {0.59, 0.41, 0.31}},
-{"DarkTurquoise", {0.439216, 0.576471, 0.858824}},
-{"DarkWood", {0.52, 0.37, 0.26}},
-{"DimGray", {0.329412, 0.329412, 0.329412}},
-{"DimGrey", {0.329412, 0.329412, 0.329412}},
-{"DkGreenCopper", {0.29, 0.46, 0.43}},
-{"DustyRose", {0.52, 0.39, 0.39}},
-{"Feldspar", {0.82, 0.57, 0.46}},
-{"Firebrick", {0.556863, 0.137255, 0.137255}},
-{"Flesh", {0.96, 0.8, 0.69}},
-{"ForestGreen", {0.137255, 0.556863, 0.137255}},
-{"Gold", {0.8, 0.498039, 0.196078}},
-{"Goldenrod", {0.858824, 0.858824, 0.439216}},
-{"Gray", {0.752941, 0.752941, 0.752941}},
-{"Gray05", {0.05, 0.05, 0.05}},
-{"Gray10", {0.1, 0.1, 0.1}},
-{"Gray15", {0.15, 0.15, 0.15}},
-{"Gray20", {0.2, 0.2, 0.2}},
-{"Gray25", {0.25, 0.25, 0.25}},
-{"Gray30", {0.3, 0.3, 0.3}},
-{"Gray35", {0.35, 0.35, 0.35}},
-{"Gray40", {0.4, 0.4, 0.4}},
-{"Gray45", {0.45, 0.45, 0.45}},
-{"Gray50", {0.5, 0.5, 0.5}},
-{"Gray55", {0.55, 0.55, 0.55}},
-{"Gray60", {0.6, 0.6, 0.6}},
-{"Gray65", {0.65, 0.65, 0.65}},
-{"Gray70", {0.7, 0.7, 0.7}},
-{"Gray75", {0.75, 0.75, 0.75}},
-{"Gray80", {0.8, 0.8, 0.8}},
-{"Gray85", {0.85, 0.85, 0.85}},
-{"Gray90", {0.9, 0.9, 0.9}},
-{"Gray95", {0.95, 0.95, 0.95}},
-{"Green", {0, 1, 0}},
-{"GreenCopper", {0.32, 0.49, 0.46}},
-{"GreenYellow", {0.576471, 0.858824, 0.439216}},
-{"Grey", {0.752941, 0.752941, 0.752941}},
-{"HuntersGreen", {0.13, 0.37, 0.31}},
-{"IndianRed", {0.309804, 0.184314, 0.184314}},
-{"Khaki", {0.623529, 0.623529, 0.372549}},
-{"Light_Purple", {0.87, 0.58, 0.98}},
-{"LightBlue", {0.74902, 0.847059, 0.847059}},
-{"LightGray", {0.658824, 0.658824, 0.658824}},
-{"LightGrey", {0.658824, 0.658824, 0.658824}},
-{"LightSteelBlue", {0.560784, 0.560784, 0.737255}},
-{"LightWood", {0.91, 0.76, 0.65}},
-{"LimeGreen", {0.196078, 0.8, 0.196078}},
-{"Magenta", {1, 0, 1}},
-{"MandarinOrange", {0.89, 0.47, 0.2}},
-{"Maroon", {0.556863, 0.137255, 0.419608}},
-{"Med_Purple", {0.73, 0.16, 0.96}},
-{"MediumAquamarine", {0.196078, 0.8, 0.6}},
-{"MediumBlue", {0.196078, 0.196078, 0.8}},
-{"MediumForestGreen", {0.419608, 0.556863, 0.137255}},
-{"MediumGoldenrod", {0.917647, 0.917647, 0.678431}},
-{"MediumOrchid", {0.576471, 0.439216, 0.858824}},
-{"MediumSeaGreen", {0.258824, 0.435294, 0.258824}},
-{"MediumSlateBlue", {0.498039, 0, 1}},
-{"MediumSpringGreen", {0.498039, 1, 0}},
-{"MediumTurquoise", {0.439216, 0.858824, 0.858824}},
-{"MediumVioletRed", {0.858824, 0.439216, 0.576471}},
-{"MediumWood", {0.65, 0.5, 0.39}},
-{"Mica", {0, 0, 0}},
-{"MidnightBlue", {0.184314, 0.184314, 0.309804}},
-{"Navy", {0.137255, 0.137255, 0.556863}},
-{"NavyBlue", {0.137255, 0.137255, 0.556863}},
-{"NeonBlue", {0.3, 0.3, 1}},
-{"NeonPink", {1, 0.43, 0.78}},
-{"NewMidnightBlue", {0, 0, 0.61}},
-{"NewTan", {0.92, 0.78, 0.62}},
-{"OldGold", {0.81, 0.71, 0.23}},
-{"Orange", {1, 0.5, 0}},
-{"OrangeRed", {1, 0.25, 0}},
-{"Orchid", {0.858824, 0.439216, 0.858824}},
-{"PaleGreen", {0.560784, 0.737255, 0.560784}},
-{"Pink", {0.737255, 0.560784, 0.560784}},
-{"Plum", {0.917647, 0.678431, 0.917647}},
-{"Quartz", {0.85, 0.85, 0.95}},
-{"Red", {1, 0, 0}},
-{"RichBlue", {0.35, 0.35, 0.67}},
-{"Salmon", {0.435294, 0.258824, 0.258824}},
-{"Scarlet", {0.55, 0.09, 0.09}},
-{"SeaGreen", {0.137255, 0.556863, 0.419608}},
-{"SemiSweetChoc", {0.42, 0.26, 0.15}},
-{"Sienna", {0.556863, 0.419608, 0.137255}},
-{"Silver", {0.9, 0.91, 0.98}},
-{"SkyBlue", {0.196078, 0.6, 0.8}},
-{"SlateBlue", {0, 0.498039, 1}},
-{"SpicyPink", {1, 0.11, 0.68}},
-{"SpringGreen", {0, 1, 0.498039}},
-{"SteelBlue", {0.137255, 0.419608, 0.556863}},
-{"SummerSky", {0.22, 0.69, 0.87}},
-{"Tan", {0.858824, 0.576471, 0.439216}},
-{"Thistle", {0.847059, 0.74902, 0.847059}},
-{"Turquoise", {0.678431, 0.917647, 0.917647}},
-{"Very_Light_Purple", {0.94, 0.81, 0.99}},
-{"VeryDarkBrown", {0.35, 0.16, 0.14}},
-{"Violet", {0.309804, 0.184314, 0.309804}},
-{"VioletRed", {0.8, 0.196078, 0.6}},
-{"VLightGray", {0.8, 0.8, 0.8}},
-{"VLightGrey", {0.8, 0.8, 0.8}},
-{"Wheat", {0.847059, 0.847059, 0.74902}},
-{"White", {1, 1, 1}},
-{"Yellow", {1, 1, 0}},
-{"YellowGreen", {0.6, 0.8, 0.196078}},
-};
-// clang-format on
+using namespace standard;
 
-/// Files of which no name is known yet. Including one has POV-Ray's effect on the version, and nothing else.
-constexpr std::string_view other_files[] = {
-    "arrays.inc", "consts.inc", "finish.inc",  "functions.inc", "glass.inc",      "glass_old.inc", "golds.inc",
-    "ior.inc",    "math.inc",   "metals.inc",  "rand.inc",      "shapes.inc",     "shapes2.inc",   "skies.inc",
-    "stars.inc",  "stones.inc", "strings.inc", "textures.inc",  "transforms.inc", "woods.inc",
+const StandardFile files[] = {
+    {"arrays.inc", "ARRAYS_INC_TEMP", nullptr, arrays_refused},
+    {"chars.inc", "Chars_Inc_Temp", nullptr, chars_refused},
+    {"colors.inc", "Colors_Inc_Temp", colors, {}},
+    {"consts.inc", "Consts_Inc_Temp", consts, {}},
+    {"debug.inc", "DEBUG_MCR", debug, {}},
+    {"finish.inc", "Finish_Inc_Temp", finish, {}},
+    {"functions.inc", "Functions_Inc_Temp", nullptr, functions_refused},
+    {"glass.inc", "Glass_Inc_Temp", glass, glass_refused},
+    {"glass_old.inc", "Glass_Old_Inc_Temp", glass_old, {}},
+    {"golds.inc", "Gold_Inc_Temp", golds, {}},
+    {"ior.inc", "Ior_Inc_Temp", ior, ior_refused},
+    {"logo.inc", "Logo_Inc_Temp", logo, logo_refused},
+    {"math.inc", "MATH_INC_TEMP", math, math_refused},
+    {"metals.inc", "Metals_Inc_Temp", metals, {}},
+    {"rand.inc", "RAND_INC_TEMP", rand, rand_refused},
+    {"shapes.inc", "Shapes_Inc_Temp", shapes, shapes_refused},
+    {"shapes2.inc", "Shapes2_Inc_Temp", nullptr, shapes2_refused},
+    {"shapes3.inc", "Shapes3_Inc_Temp", shapes3, shapes3_refused},
+    {"shapes_old.inc", "Shapes_Old_Inc_Temp", shapes_old, shapes_old_refused},
+    {"shapesq.inc", "ShapesQ_Inc_Temp", nullptr, shapesq_refused},
+    {"skies.inc", "Skies_Inc_Temp", nullptr, skies_refused},
+    {"stage1.inc", "", stage1, {}},
+    {"stars.inc", "Stars_Inc_Temp", nullptr, stars_refused},
+    {"stdcam.inc", "", stdcam, {}},
+    {"stdinc.inc", "STDINC_INC_TEMP", stdinc, {}},
+    {"stoneold.inc", "Stoneold_Inc_Temp", stoneold, stoneold_refused},
+    {"stones.inc", "Stones_Inc_Temp", stones, {}},
+    {"stones1.inc", "Stones1_Inc_Temp", stones1, stones1_refused},
+    {"stones2.inc", "Stones2_Inc_Temp", nullptr, stones2_refused},
+    {"strings.inc", "STRINGS_INC_TEMP", strings, strings_refused},
+    {"textures.inc", "Textures_Inc_Temp", textures, textures_refused},
+    {"transforms.inc", "TRANSFORMS_INC_TEMP", transforms, transforms_refused},
+    {"woodmaps.inc", "Woodmaps_Inc_Temp", nullptr, woodmaps_refused},
+    {"woods.inc", "Woods_Inc_Temp", woods, woods_refused},
 };
+
+bool part_of_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/// Whether `text` has `#declare identifier` or `#macro identifier`.
+bool declares(std::string_view text, std::string_view identifier) {
+    for (size_t at = text.find(identifier); at != std::string_view::npos; at = text.find(identifier, at + 1)) {
+        const std::string_view before = text.substr(0, at);
+        const size_t after = at + identifier.size();
+        if ((before.ends_with("#declare ") || before.ends_with("#macro ")) &&
+            (after == text.size() || !part_of_name(text[after])))
+            return true;
+    }
+    return false;
+}
 
 } // namespace
 
-std::span<const StandardColor> standard_colors() {
-    return colors;
+const StandardFile* find_standard_file(std::string_view name) {
+    const auto found = std::ranges::find(files, name, &StandardFile::name);
+    return found == std::end(files) ? nullptr : &*found;
 }
 
-StandardInclude standard_include(std::string_view name) {
-    if (name == "colors.inc")
-        return StandardInclude::colors;
-    return std::ranges::find(other_files, name) == std::end(other_files) ? StandardInclude::unknown
-                                                                         : StandardInclude::names_unknown;
+std::string standard_text(const StandardFile& file) {
+    const std::string text = file.text ? file.text() : "";
+    // The file restores the version at its end: from there on, a scene that had none has one.
+    return file.guard.empty() || file.guard == "DEBUG_MCR"
+               ? text
+               : fmt::format("#version 3.5;\n{}#version {};\n", text, file.guard);
+}
+
+const StandardFile* standard_file_of(std::string_view identifier) {
+    for (const StandardFile& file : files) {
+        bool found = file.text && declares(file.text(), identifier);
+        for (const RefusedNames& refused : file.refused)
+            for_each_name(refused, [&](std::string_view name) { found = found || name == identifier; });
+        if (found)
+            return &file;
+    }
+    return nullptr;
 }
 
 } // namespace proxima

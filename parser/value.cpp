@@ -37,6 +37,7 @@ const char* value_description(const Value& value) {
         const char* operator()(const CameraRef&) const { return "a camera"; }
         const char* operator()(const TransformRef&) const { return "a transform"; }
         const char* operator()(const MacroRef&) const { return "a macro"; }
+        const char* operator()(Refused) const { return "a name that Proxima refuses"; }
     };
     return std::visit(Describe{}, value);
 }

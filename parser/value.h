@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -91,6 +92,11 @@ struct Shape {
     void dress_parts();
 };
 
+/// A name of a standard include file that needs a word which Proxima does not support.
+struct Refused {
+    std::string_view word;
+};
+
 struct Macro;
 
 using ShapeRef = std::shared_ptr<const Shape>;
@@ -100,7 +106,7 @@ using TransformRef = std::shared_ptr<const TransformPair>;
 using MacroRef = std::shared_ptr<const Macro>;
 
 using Value = std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef,
-                           MaterialValue, ShapeRef, LightRef, CameraRef, TransformRef, MacroRef>;
+                           MaterialValue, ShapeRef, LightRef, CameraRef, TransformRef, MacroRef, Refused>;
 
 /// "a number", "a texture", ...: for messages.
 const char* value_description(const Value& value);
