@@ -16,6 +16,11 @@ template <class Real> struct Camera {
     Vec3<Real> up{Real(0), Real(1), Real(0)};
 };
 
+template <class Real> HD Camera<Real> camera_in(const Camera<double>& camera) {
+    return {camera.kind, Vec3<Real>(camera.location), Vec3<Real>(camera.direction), Vec3<Real>(camera.right),
+            Vec3<Real>(camera.up)};
+}
+
 /// The ray through (x, y) of the picture, both in [-0.5, 0.5]; y points up.
 template <class Real> HD Ray<Real> camera_ray(const Camera<Real>& camera, Real x, Real y) {
     const Vec3<Real> across = x * camera.right + y * camera.up;

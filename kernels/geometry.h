@@ -78,15 +78,21 @@ HD_INNER Real intersect(const Sphere<Real>& sphere, const Ray<Real>& ray, Real n
     return chord(sphere, ray, min_half_chord2).beyond(nearest);
 }
 
-/// As for a sphere; the half chord is measured in the ellipsoid's own space. `nearest` is compared with the distances
-/// that are returned, so that a ray that goes on from one of them never finds it again.
+/// An ellipsoid's chord; the half chord is measured in the ellipsoid's own space.
 template <class Real>
-HD Real intersect(const Ellipsoid<Real>& ellipsoid, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
+HD Chord<Real> chord(const Ellipsoid<Real>& ellipsoid, const Ray<Real>& ray, Real min_half_chord2) {
     const Vec3<Real> direction = ellipsoid.object_from_world.direction(ray.direction);
     const Real length = glm::length(direction);
     const Ray<Real> seen{ellipsoid.object_from_world.point(ray.origin), direction / length};
     const Chord<Real> in_object = chord(Sphere<Real>{}, seen, min_half_chord2);
-    return Chord<Real>{in_object.near / length, in_object.far / length}.beyond(nearest);
+    return {in_object.near / length, in_object.far / length};
+}
+
+/// As for a sphere. `nearest` is compared with the distances that are returned, so that a ray that goes on from one of
+/// them never finds it again.
+template <class Real>
+HD Real intersect(const Ellipsoid<Real>& ellipsoid, const Ray<Real>& ray, Real nearest, Real min_half_chord2) {
+    return chord(ellipsoid, ray, min_half_chord2).beyond(nearest);
 }
 
 /// The distance to a plane if it lies beyond `nearest`, else infinity. Rays within `min_cosine` of the plane miss it.

@@ -61,30 +61,30 @@ template <class Real> HD const Interior& interior_of(const SceneView<Real>& scen
     return scene.surfaces.interiors[scene.surfaces.materials[scene.geometry.material(primitive)].interior];
 }
 
-template <class Real> HD Real ior_of(const SceneView<Real>& scene, uint32_t primitive) {
-    return primitive == no_primitive ? Real(1) : Real(interior_of(scene, primitive).ior);
+template <class Path, class Real> HD Path ior_of(const SceneView<Real>& scene, uint32_t primitive) {
+    return primitive == no_primitive ? Path(1) : Path(interior_of(scene, primitive).ior);
 }
 
 /// For Fresnel's equation: the index on the far side of a primitive's surface over that of the near side. On the way
 /// out the far side is taken to be what the ray entered last, the primitive itself included, as POV-Ray has it.
 template <class Real>
 HD Real far_over_near_ior(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
-    const Real own = ior_of(scene, primitive);
+    const Real own = ior_of<Real>(scene, primitive);
     if (!interiors.contains(primitive))
-        return own / ior_of(scene, interiors.last());
-    return (interiors.count > 1 ? ior_of(scene, interiors.last()) : Real(1)) / own;
+        return own / ior_of<Real>(scene, interiors.last());
+    return (interiors.count > 1 ? ior_of<Real>(scene, interiors.last()) : Real(1)) / own;
 }
 
 /// For Snell's law: the index on the near side over that of the far side, by what the ray has entered. A ray that
 /// leaves something other than what it entered last does not bend.
-template <class Real>
-HD Real crossing_ior_ratio(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
-    const Real own = ior_of(scene, primitive);
+template <class Path, class Real>
+HD Path crossing_ior_ratio(const SceneView<Real>& scene, const InteriorList& interiors, uint32_t primitive) {
+    const Path own = ior_of<Path>(scene, primitive);
     if (!interiors.contains(primitive))
-        return ior_of(scene, interiors.last()) / own;
+        return ior_of<Path>(scene, interiors.last()) / own;
     if (interiors.last() != primitive)
-        return Real(1);
-    return own / ior_of(scene, interiors.count > 1 ? interiors.ids[interiors.count - 2] : no_primitive);
+        return Path(1);
+    return own / ior_of<Path>(scene, interiors.count > 1 ? interiors.ids[interiors.count - 2] : no_primitive);
 }
 
 /// The primitives around a point, opaque ones too, in the order of their ids.

@@ -24,16 +24,11 @@ template <class Real> struct HitLimits {
     HD static HitLimits povray() { return {Real(1e-10), Real(1e-10), Real(1e-4), Real(1e7), Real(1e-3)}; }
 };
 
-/// Ids count spheres, then ellipsoids, then planes. Spheres and ellipsoids are `bounded`: they lie in `bounds`, save
-/// those of radius above `large_radius`, which are listed in `large`; every ray tests those and the planes.
-template <class Real> struct GeometryView {
+/// The shapes of all primitives. Ids count spheres, then ellipsoids, then planes.
+template <class Real> struct ShapesView {
     std::span<const Sphere<Real>> spheres;
-    std::span<const uint32_t> sphere_materials;
     std::span<const Ellipsoid<Real>> ellipsoids;
     std::span<const Plane<Real>> planes;
-    std::span<const uint32_t> large;
-    Real large_radius = infinity<Real>;
-    Box<Real> bounds{Vec3<Real>(Real(1)), Vec3<Real>(Real(-1))}; ///< padded; empty when nothing is bounded
 
     HD uint32_t sphere_count() const { return uint32_t(spheres.size()); }
     HD uint32_t round_count() const { return uint32_t(spheres.size() + ellipsoids.size()); }
@@ -41,6 +36,21 @@ template <class Real> struct GeometryView {
     HD bool is_plane(uint32_t id) const { return id >= round_count(); }
     HD const Ellipsoid<Real>& ellipsoid(uint32_t id) const { return ellipsoids[id - sphere_count()]; }
     HD const Plane<Real>& plane(uint32_t id) const { return planes[id - round_count()]; }
+};
+
+/// What rays are tested with. Spheres and ellipsoids are `bounded`: they lie in `bounds`, save those of radius above
+/// `large_radius`, which are listed in `large`; every ray tests those and the planes.
+template <class Real> struct GeometryView : ShapesView<Real> {
+    using ShapesView<Real>::spheres;
+    using ShapesView<Real>::is_sphere;
+    using ShapesView<Real>::is_plane;
+    using ShapesView<Real>::ellipsoid;
+    using ShapesView<Real>::plane;
+
+    std::span<const uint32_t> sphere_materials;
+    std::span<const uint32_t> large;
+    Real large_radius = infinity<Real>;
+    Box<Real> bounds{Vec3<Real>(Real(1)), Vec3<Real>(Real(-1))}; ///< padded; empty when nothing is bounded
 
     HD uint32_t material(uint32_t id) const {
         return is_sphere(id) ? sphere_materials[id] : is_plane(id) ? plane(id).material : ellipsoid(id).material;
@@ -73,10 +83,11 @@ template <class Real> struct SurfacesView {
 
 template <class Real> struct SceneView {
     GeometryView<Real> geometry;
-    GridView<Real> grid; ///< without cells: every bounded primitive is tested
+    ShapesView<double> exact; ///< the same shapes, for paths that go on from them; empty where none does
+    GridView<Real> grid;      ///< without cells: every bounded primitive is tested
     SurfacesView<Real> surfaces;
     std::span<const Light<Real>> lights;
-    Camera<Real> camera;
+    Camera<double> camera;
     HitLimits<Real> limits;
     glm::vec3 background{0.0f};
     glm::vec3 ambient_light{1.0f};

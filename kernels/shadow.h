@@ -19,11 +19,11 @@ HD Vec3<Real> material_transmission(const SceneView<Real>& scene, const Material
 
 /// The light's tint after everything between the surface and `distance` along `to_light`: 0 behind an opaque primitive.
 /// `interiors` are those of the ray that met the surface; only their overflow is written.
-template <class Real, bool filters>
-HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Real>& surface, const Vec3<Real>& to_light,
+template <bool filters, class Real, class Path>
+HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Path>& surface, const Vec3<Path>& to_light,
                              Real distance, InteriorList& interiors) {
     const Real margin = scene.limits.shadow_margin;
-    const SourcedRay<Real> ray = leave(scene.geometry, surface, to_light, surface.from_inside);
+    const SourcedRay<Path> ray = leave(shapes_of<Path>(scene), surface, to_light, surface.from_inside);
     const BasedRay<Real> based = rebase(ray, scene.geometry.bounds);
     if constexpr (!filters) {
         return Vec3<Real>(Real(find_any(scene, based, margin, distance - margin) ? 0 : 1));
@@ -37,11 +37,11 @@ HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Real>& 
             const Hit<Real> hit = find_nearest(scene, based, passed, margin, distance - margin, true);
             if (hit.primitive == no_primitive)
                 return light;
-            const Surface<Real> blocker = surface_at(scene.geometry, based, hit);
+            const Surface<Path> blocker = surface_at(scene, ray, based, hit);
             const Material& material = scene.surfaces.materials[blocker.material];
             if (!(material.flags & material_transparent))
                 return Vec3<Real>(Real(0));
-            light *= material_transmission(scene, material, blocker.point);
+            light *= material_transmission(scene, material, Vec3<Real>(blocker.point));
             if (scene.has_fading) {
                 if (inside.contains(blocker.primitive))
                     light *= attenuation(interior_of(scene, blocker.primitive), distance_passed(based, passed, hit));

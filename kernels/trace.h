@@ -16,22 +16,29 @@ enum class Features : uint32_t {
     all,
 };
 
+/// The precision in which paths are followed: see surface.h. A path that ends at its first surface needs no more than
+/// the tests do.
+template <class Real, Features features>
+using PathPrecision = std::conditional_t<features == Features::opaque, Real, double>;
+
 /// Follows the paths of one thread. `sum` is the light found so far.
 template <class Real, Features features> struct Tracer {
     static constexpr bool transparent = features == Features::all;
+    using Path = PathPrecision<Real, features>;
+    using State = PathState<Real, Path>;
 
     const SceneView<Real>& scene;
-    PendingView<Real> pending{};
+    PendingView<Real, Path> pending{};
     InteriorList interiors{}; ///< of the current path
     Vec3<Real> sum{Real(0)};
 
     /// The light that comes along a ray.
-    HD Vec3<Real> light_along(const Ray<Real>& ray) {
-        PathState<Real> path;
+    HD Vec3<Real> light_along(const Ray<Path>& ray) {
+        State path;
         path.ray.ray = ray;
         sum = Vec3<Real>(Real(0));
         if constexpr (transparent)
-            interiors = interiors_at(scene, ray.origin);
+            interiors = interiors_at(scene, Vec3<Real>(ray.origin));
         while (advance(path) || resume(path)) {
         }
         if (transparent && interiors.overflow)
@@ -40,7 +47,7 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// Goes to the next surface, adds its light, and turns the path into what goes on from there. False when it ends.
-    HD bool advance(PathState<Real>& path) {
+    HD bool advance(State& path) {
         if (path.weight < Real(scene.adc_bailout))
             return false;
         const BasedRay<Real> based = rebase(path.ray, scene.geometry.bounds);
@@ -50,12 +57,13 @@ template <class Real, Features features> struct Tracer {
             sum += path.throughput * Vec3<Real>(scene.background);
             return false;
         }
-        const Surface<Real> surface = surface_at(scene.geometry, based, hit);
-        const Vec3<Real> direction = path.ray.ray.direction;
+        const Surface<Path> surface = surface_at(scene, path.ray, based, hit);
+        const Surface<Real> seen = surface.template rounded<Real>();
+        const Vec3<Real> direction(path.ray.ray.direction);
         Real ior = Real(1);
         if constexpr (features != Features::opaque)
             ior = far_over_near_ior(scene, interiors, surface.primitive);
-        const LayerStack<Real> layers{scene, surface, -glm::dot(direction, surface.normal), ior};
+        const LayerStack<Real> layers{scene, seen, -glm::dot(direction, seen.normal), ior};
         sum += path.throughput * layers.glow();
         for (const Light<Real>& light : scene.lights)
             sum += path.throughput * light_from(light, surface, layers, direction);
@@ -66,31 +74,31 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// What the surface sends back of one light.
-    HD Vec3<Real> light_from(const Light<Real>& light, const Surface<Real>& surface, const LayerStack<Real>& layers,
+    HD Vec3<Real> light_from(const Light<Real>& light, const Surface<Path>& surface, const LayerStack<Real>& layers,
                              const Vec3<Real>& eye_direction) {
-        const Vec3<Real> way = light.position - surface.point;
+        const Vec3<Real> way = light.position - layers.surface.point;
         const Real distance = glm::length(way);
-        const LightGeometry<Real> geometry{surface.normal, way / distance, eye_direction};
+        const LightGeometry<Real> geometry{layers.surface.normal, way / distance, eye_direction};
         if (!(glm::dot(geometry.normal, geometry.to_light) >= Real(1e-10)))
             return Vec3<Real>(Real(0));
         Vec3<Real> arriving = Vec3<Real>(light.color) * light_fade(light, distance);
         if (!light.shadowless)
-            arriving *= light_arriving<Real, transparent>(scene, surface, geometry.to_light, distance, interiors);
+            arriving *= light_arriving<transparent>(scene, surface, Vec3<Path>(geometry.to_light), distance, interiors);
         if (arriving == Vec3<Real>(Real(0)))
             return arriving;
         return layers.reflected(geometry, arriving, !light.shadowless);
     }
 
     /// The transmitted ray waits longest, so that at most one set of a surface's rays waits for each level of a path.
-    HD bool go_on(PathState<Real>& path, const Surface<Real>& surface, const LayerStack<Real>& layers,
-                  const Hit<Real>& hit, Real distance) {
+    HD bool go_on(State& path, const Surface<Path>& surface, const LayerStack<Real>& layers, const Hit<Real>& hit,
+                  Real distance) {
         if (path.level + 1 >= scene.max_trace_level)
             return false; // even for a ray that goes straight on, which takes no level
         const bool reflects = scene.surfaces.materials[surface.material].flags & material_reflective;
         if constexpr (transparent) {
             const Vec3<Real> transmission = layers.transmission();
             if (magnitude(grey(transmission)) > Real(scene.adc_bailout)) {
-                PathState<Real> through = path;
+                State through = path;
                 if (scene.has_fading && interiors.contains(surface.primitive))
                     through.throughput *= attenuation(interior_of(scene, surface.primitive), distance);
                 InteriorList behind;
@@ -112,20 +120,20 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// Leads a path through a surface, or back where Snell's law has no solution (then false).
-    HD bool transmit(PathState<Real>& path, InteriorList& behind, const Vec3<Real>& transmission,
-                     const Surface<Real>& surface, const Hit<Real>& hit) const {
-        const Vec3<Real> direction = path.ray.ray.direction;
-        const Real ratio = crossing_ior_ratio(scene, interiors, surface.primitive);
+    HD bool transmit(State& path, InteriorList& behind, const Vec3<Real>& transmission, const Surface<Path>& surface,
+                     const Hit<Real>& hit) const {
+        const Vec3<Path> direction = path.ray.ray.direction;
+        const Path ratio = crossing_ior_ratio<Path>(scene, interiors, surface.primitive);
         path.weight *= larger(magnitude(transmission.x), larger(magnitude(transmission.y), magnitude(transmission.z)));
         behind.toggle(surface.primitive);
-        if (magnitude(ratio - Real(1)) < Real(1e-10)) {
+        if (magnitude(ratio - Path(1)) < Path(1e-10)) {
             path.throughput *= transmission;
             path.passed = hit; // the same ray, so that surfaces on top of each other are passed once each
             return true;
         }
-        Vec3<Real> bent = mirrored(direction, surface.normal);
+        Vec3<Path> bent = mirrored(direction, surface.normal);
         const bool bends = refracted(direction, surface.normal, ratio, bent);
-        path.ray = leave(scene.geometry, surface, bent, surface.from_inside != bends);
+        path.ray = leave(shapes_of<Path>(scene), surface, bent, surface.from_inside != bends);
         path.passed = {};
         ++path.level;
         if (bends)
@@ -134,11 +142,11 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// Leads a path along the mirrored ray. Of several layers that reflect, all but one leave a path pending.
-    HD bool reflect(PathState<Real>& path, const Surface<Real>& surface, const LayerStack<Real>& layers) {
-        const Vec3<Real> direction = mirrored(path.ray.ray.direction, surface.normal);
+    HD bool reflect(State& path, const Surface<Path>& surface, const LayerStack<Real>& layers) {
+        const Vec3<Path> direction = mirrored(path.ray.ray.direction, surface.normal);
         const Vec3<Real> throughput = path.throughput;
         const Real weight = path.weight;
-        path.ray = leave(scene.geometry, surface, direction, surface.from_inside);
+        path.ray = leave(shapes_of<Path>(scene), surface, direction, surface.from_inside);
         path.passed = {};
         ++path.level;
         bool goes_on = false;
@@ -161,7 +169,7 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// A path whose light counts with an exponent gets a sum of its own; a mark leads back to the sum before.
-    HD void begin(PathState<Real>& path) {
+    HD void begin(State& path) {
         if (path.exponent == 1)
             return;
         pending.push_mark(sum, path.throughput, path.exponent);
@@ -171,17 +179,17 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// Takes up a path that waits; false when there is none left.
-    HD bool resume(PathState<Real>& path) {
+    HD bool resume(State& path) {
         if constexpr (transparent) {
             while (pending.depth > 0) {
                 path = pending.pop(interiors);
-                if (path.level != PendingView<Real>::mark_level) {
+                if (path.level != PendingView<Real, Path>::mark_level) {
                     begin(path);
                     return true;
                 }
                 for (int c = 0; c < 3; ++c)
-                    sum[c] =
-                        path.ray.ray.origin[c] + path.throughput[c] * power(larger(sum[c], Real(0)), path.exponent);
+                    sum[c] = Real(path.ray.ray.origin[c]) +
+                             path.throughput[c] * power(larger(sum[c], Real(0)), path.exponent);
             }
         }
         return false;
@@ -192,8 +200,8 @@ template <class Real, Features features> struct Tracer {
 template <class Real, Features features> struct TracePixels {
     SceneView<Real> scene;
     FilmView film;
-    PendingView<Real> pending; ///< for a wave's number of threads
-    uint64_t first = 0;        ///< of the wave, in tiled order
+    PendingView<Real, PathPrecision<Real, features>> pending; ///< for a wave's number of threads
+    uint64_t first = 0;                                       ///< of the wave, in tiled order
 
     HD void operator()(uint32_t index) const {
         const PixelPosition pixel = tiled_pixel(first + index, film.width);
@@ -201,9 +209,10 @@ template <class Real, Features features> struct TracePixels {
             return;
         Tracer<Real, features> tracer{scene, pending};
         tracer.pending.thread = index;
+        const auto camera = camera_in<PathPrecision<Real, features>>(scene.camera);
         Vec3<Real> total(Real(0));
         for (uint32_t sample = 0; sample < film.samples; ++sample)
-            total += tracer.light_along(pixel_ray(scene.camera, film, pixel, sample));
+            total += tracer.light_along(pixel_ray(camera, film, pixel, sample));
         film.pixels[uint64_t(pixel.y) * film.width + pixel.x] = glm::vec3(total);
     }
 };

@@ -33,16 +33,19 @@ template <class Real> struct BasedRay {
     bool meets_bounds = false;
 };
 
-template <class Real> HD BasedRay<Real> rebase(const SourcedRay<Real>& from, const Box<Real>& bounds) {
-    BasedRay<Real> based{from.ray, from.source};
-    const Span<Real> span = intersect(bounds, from.ray);
-    based.meets_bounds = span.enter <= span.exit;
-    if (based.meets_bounds && span.enter > 0) {
-        based.offset = span.enter;
-        based.ray.origin += span.enter * from.ray.direction;
+/// The way to the bounds is measured in the precision of the path; what is met from there needs only Real.
+template <class Real, class Path> HD BasedRay<Real> rebase(const SourcedRay<Path>& from, const Box<Real>& bounds) {
+    const Span<Path> span = intersect(Box<Path>{Vec3<Path>(bounds.lower), Vec3<Path>(bounds.upper)}, from.ray);
+    const bool meets_bounds = span.enter <= span.exit;
+    const Path offset = meets_bounds && span.enter > 0 ? span.enter : Path(0);
+    BasedRay<Real> based{{Vec3<Real>(from.ray.origin), Vec3<Real>(from.ray.direction)},
+                         {from.source.primitive, Real(from.source.exit - offset)},
+                         Real(offset),
+                         meets_bounds};
+    if (offset > 0) {
+        const Vec3<Path> entry = from.ray.origin + offset * from.ray.direction;
         for (int i = 0; i < 3; ++i)
-            based.ray.origin[i] = clamped(based.ray.origin[i], bounds.lower[i], bounds.upper[i]);
-        based.source.exit -= span.enter;
+            based.ray.origin[i] = clamped(Real(entry[i]), bounds.lower[i], bounds.upper[i]);
     }
     return based;
 }

@@ -32,9 +32,6 @@ template <class Real> Plane<Real> convert(const Plane<double>& p) {
 template <class Real> Light<Real> convert(const Light<double>& l) {
     return {Vec3<Real>(l.position), l.color, l.fade_distance, l.fade_power, l.shadowless};
 }
-template <class Real> Camera<Real> convert(const Camera<double>& c) {
-    return {c.kind, Vec3<Real>(c.location), Vec3<Real>(c.direction), Vec3<Real>(c.right), Vec3<Real>(c.up)};
-}
 
 /// What decides which kernels a scene needs and how much they must remember.
 struct SceneNeeds {
@@ -48,32 +45,25 @@ SceneNeeds needs_of(const SceneProgram& scene);
 template <class Backend, class Real> class DeviceScene {
 public:
     explicit DeviceScene(Backend& backend)
-        : spheres_(backend), sphere_materials_(backend), ellipsoids_(backend), planes_(backend), materials_(backend),
-          layers_(backend), pigments_(backend), finishes_(backend), interiors_(backend), transforms_(backend),
-          lights_(backend) {}
+        : shapes_(backend), exact_(backend), sphere_materials_(backend), materials_(backend), layers_(backend),
+          pigments_(backend), finishes_(backend), interiors_(backend), transforms_(backend), lights_(backend) {}
 
     void upload(const SceneProgram& scene) {
-        upload_spheres(scene);
-        upload_converted(ellipsoids_, scene.ellipsoids);
-        upload_converted(planes_, scene.planes);
+        view_ = {};
+        needs_ = needs_of(scene);
+        upload_geometry(scene);
         upload_copy(materials_, scene.materials);
         upload_copy(layers_, scene.layers);
         upload_copy(pigments_, scene.pigments);
         upload_copy(finishes_, scene.finishes);
         upload_copy(interiors_, scene.interiors);
-        upload_converted(transforms_, scene.transforms);
-        upload_converted(lights_, scene.lights);
-        needs_ = needs_of(scene);
+        upload_converted<Real>(transforms_, scene.transforms);
+        upload_converted<Real>(lights_, scene.lights);
 
-        view_ = {};
-        view_.geometry.spheres = spheres_.view();
-        view_.geometry.sphere_materials = sphere_materials_.view();
-        view_.geometry.ellipsoids = ellipsoids_.view();
-        view_.geometry.planes = planes_.view();
         view_.surfaces = {materials_.view(), layers_.view(),     pigments_.view(),         finishes_.view(),
                           interiors_.view(), transforms_.view(), scene.legacy_transparency};
         view_.lights = lights_.view();
-        view_.camera = convert<Real>(scene.camera);
+        view_.camera = scene.camera;
         view_.background = scene.background;
         view_.ambient_light = scene.ambient_light;
         view_.adc_bailout = scene.adc_bailout;
@@ -95,23 +85,43 @@ public:
 private:
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
-    void upload_spheres(const SceneProgram& scene) {
+    template <class R> struct Shapes {
+        Buffer<Sphere<R>> spheres;
+        Buffer<Ellipsoid<R>> ellipsoids;
+        Buffer<Plane<R>> planes;
+
+        explicit Shapes(Backend& backend) : spheres(backend), ellipsoids(backend), planes(backend) {}
+        ShapesView<R> view() { return {spheres.view(), ellipsoids.view(), planes.view()}; }
+    };
+
+    void upload_geometry(const SceneProgram& scene) {
         const std::vector<uint32_t> order = spatial_order(scene);
         const auto original = [&](size_t i) { return order.empty() ? i : order[i]; };
-        spheres_.upload(scene.spheres.size(), [&](size_t i) { return convert<Real>(scene.spheres[original(i)]); });
+        const auto upload = [&]<class R>(Shapes<R>& shapes) {
+            shapes.spheres.upload(scene.spheres.size(),
+                                  [&](size_t i) { return convert<R>(scene.spheres[original(i)]); });
+            upload_converted<R>(shapes.ellipsoids, scene.ellipsoids);
+            upload_converted<R>(shapes.planes, scene.planes);
+        };
+        upload(shapes_);
+        static_cast<ShapesView<Real>&>(view_.geometry) = shapes_.view();
+        if (!std::is_same_v<Real, double> && needs_.features != Features::opaque) {
+            upload(exact_);
+            view_.exact = exact_.view();
+        }
         sphere_materials_.upload(scene.spheres.size(), [&](size_t i) { return scene.sphere_materials[original(i)]; });
+        view_.geometry.sphere_materials = sphere_materials_.view();
     }
     template <class T> static void upload_copy(Buffer<T>& buffer, const std::vector<T>& values) {
         buffer.upload(values.size(), [&](size_t i) { return values[i]; });
     }
-    template <class T, class S> static void upload_converted(Buffer<T>& buffer, const std::vector<S>& values) {
-        buffer.upload(values.size(), [&](size_t i) { return convert<Real>(values[i]); });
+    template <class R, class T, class S> static void upload_converted(Buffer<T>& buffer, const std::vector<S>& values) {
+        buffer.upload(values.size(), [&](size_t i) { return convert<R>(values[i]); });
     }
 
-    Buffer<Sphere<Real>> spheres_;
+    Shapes<Real> shapes_;
+    Shapes<double> exact_; ///< SceneView::exact
     Buffer<uint32_t> sphere_materials_;
-    Buffer<Ellipsoid<Real>> ellipsoids_;
-    Buffer<Plane<Real>> planes_;
     Buffer<Material> materials_;
     Buffer<Layer> layers_;
     Buffer<Pigment> pigments_;

@@ -50,6 +50,8 @@ private:
     static constexpr uint64_t most_pixels = 1ull << 31; ///< kernels count in 32 bits
     using Clock = std::chrono::steady_clock;
     template <class T> using Buffer = typename Backend::template Buffer<T>;
+    using WaitingPrecision = PathPrecision<Real, Features::all>;
+    using WaitingPath = PathState<Real, WaitingPrecision>;
 
     static double milliseconds(Clock::time_point from, Clock::time_point to) {
         return std::chrono::duration<double, std::milli>(to - from).count();
@@ -84,7 +86,7 @@ private:
     template <Features features> void trace_waves(const SceneView<Real>& scene, const FilmView& film) {
         const uint64_t pixels = tiled_pixel_count(film.width, film.height);
         const uint32_t wave = wave_size(pixels);
-        PendingView<Real> pending;
+        PendingView<Real, PathPrecision<Real, features>> pending;
         if constexpr (features == Features::all)
             pending = make_pending(wave);
         for (uint64_t first = 0; first < pixels; first += wave)
@@ -95,14 +97,14 @@ private:
     uint32_t wave_size(uint64_t pixels) const {
         const SceneNeeds& needs = scene_.needs();
         constexpr uint64_t most = 1u << 30;
-        const uint64_t entry = sizeof(PathState<Real>) + sizeof(uint32_t) * needs.interior_capacity;
+        const uint64_t entry = sizeof(WaitingPath) + sizeof(uint32_t) * needs.interior_capacity;
         const uint64_t stack = entry * needs.stack_entries;
         const uint64_t memory = std::min(Backend::stack_memory, backend_.available_memory() / 4);
         const uint64_t fitting = stack ? std::max<uint64_t>(memory / stack / 1024 * 1024, 1024) : most;
         return uint32_t(std::min({pixels, fitting, most}));
     }
 
-    PendingView<Real> make_pending(uint32_t threads) {
+    PendingView<Real, WaitingPrecision> make_pending(uint32_t threads) {
         const SceneNeeds& needs = scene_.needs();
         pending_states_.resize(size_t(threads) * needs.stack_entries);
         pending_interiors_.resize(size_t(threads) * needs.stack_entries * needs.interior_capacity);
@@ -135,7 +137,7 @@ private:
     DeviceScene<Backend, Real> scene_;
     GridBuilder<Backend, Real> grid_;
     Buffer<glm::vec3> film_;
-    Buffer<PathState<Real>> pending_states_;
+    Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;
     Buffer<uint32_t> overflows_;
 };

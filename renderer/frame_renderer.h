@@ -50,8 +50,8 @@ public:
 };
 
 struct DeviceDescription {
-    std::string id;     ///< "cpu", "cuda:0", ...
-    std::string name;   ///< the maker's name
+    std::string id;      ///< "cpu", "cuda:0", ...
+    std::string name;    ///< the maker's name
     uint64_t memory = 0; ///< bytes
     std::string note;    ///< cores, compute capability
 };

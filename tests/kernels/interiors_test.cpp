@@ -83,7 +83,7 @@ TEST_CASE("interiors: indices of refraction follow what a ray has entered last")
         InteriorList list;
         for (const uint32_t id : row.inside)
             list.enter(id);
-        CHECK(crossing_ior_ratio(scene, list, row.crossed) == doctest::Approx(row.near_over_far));
+        CHECK(crossing_ior_ratio<double>(scene, list, row.crossed) == doctest::Approx(row.near_over_far));
         CHECK(far_over_near_ior(scene, list, row.crossed) == doctest::Approx(row.far_over_near));
     }
 }

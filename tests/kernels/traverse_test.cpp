@@ -141,8 +141,8 @@ TEST_CASE("traverse: a ray leaves its own sphere outward for good, inward at the
     scene.surfaces.materials = surfaces;
     const Ray<float> from_surface{{1e4f, 0.6f, 0.8f}, {0, 0, 1}};
     const auto nearest = [&](RaySource<float> source) {
-        return find_nearest(scene, rebase({from_surface, source}, scene.geometry.bounds), {}, 0.0f, infinity<float>,
-                            false);
+        return find_nearest(scene, rebase(SourcedRay<float>{from_surface, source}, scene.geometry.bounds), {}, 0.0f,
+                            infinity<float>, false);
     };
     CHECK(nearest({0, 0.0f}).primitive == no_primitive);
     CHECK(nearest({0, -1e-3f}).primitive == no_primitive);
