@@ -55,4 +55,16 @@ Difference compare(const Picture16& a, const Picture16& b, int tolerance, const 
     return result;
 }
 
+bool is_on_outline(const Picture16& picture, Pixel pixel) {
+    const auto sample = [&](int x, int y, int channel) {
+        return int(picture.rgb[(size_t(y) * size_t(picture.width) + size_t(x)) * 3 + size_t(channel)]);
+    };
+    for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, picture.height - 1); ++y)
+        for (int x = std::max(pixel.x - 1, 0); x <= std::min(pixel.x + 1, picture.width - 1); ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                if (std::abs(sample(x, y, channel) - sample(pixel.x, pixel.y, channel)) > 8 * 257)
+                    return true;
+    return false;
+}
+
 } // namespace proxima::testing

@@ -36,4 +36,7 @@ struct Difference {
 /// Compares two pictures of one size; `tolerance` in 1/65535.
 Difference compare(const Picture16& a, const Picture16& b, int tolerance, const std::vector<Pixel>& excused = {});
 
+/// Whether some neighbour of a pixel differs from it by more than 8/255: the outline of something passes there.
+bool is_on_outline(const Picture16& picture, Pixel pixel);
+
 } // namespace proxima::testing
