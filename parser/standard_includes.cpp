@@ -19,7 +19,7 @@ const StandardFile files[] = {
     {"chars.inc", "Chars_Inc_Temp", nullptr, chars_refused},
     {"colors.inc", "Colors_Inc_Temp", colors, {}},
     {"consts.inc", "Consts_Inc_Temp", consts, {}},
-    {"debug.inc", "DEBUG_MCR", debug, {}},
+    {"debug.inc", "DEBUG_MCR", debug, {}, false},
     {"finish.inc", "Finish_Inc_Temp", finish, {}},
     {"functions.inc", "Functions_Inc_Temp", nullptr, functions_refused},
     {"glass.inc", "Glass_Inc_Temp", glass, glass_refused},
@@ -31,19 +31,19 @@ const StandardFile files[] = {
     {"metals.inc", "Metals_Inc_Temp", metals, {}},
     {"rand.inc", "RAND_INC_TEMP", rand, rand_refused},
     {"shapes.inc", "Shapes_Inc_Temp", shapes, shapes_refused},
-    {"shapes2.inc", "Shapes2_Inc_Temp", nullptr, shapes2_refused},
+    {"shapes2.inc", "Shapes2_Inc_Temp", shapes2, shapes2_refused},
     {"shapes3.inc", "Shapes3_Inc_Temp", shapes3, shapes3_refused},
     {"shapes_old.inc", "Shapes_Old_Inc_Temp", shapes_old, shapes_old_refused},
-    {"shapesq.inc", "ShapesQ_Inc_Temp", nullptr, shapesq_refused},
-    {"skies.inc", "Skies_Inc_Temp", nullptr, skies_refused},
-    {"stage1.inc", "", stage1, {}},
+    {"shapesq.inc", "ShapesQ_Inc_Temp", shapesq, shapesq_refused},
+    {"skies.inc", "Skies_Inc_Temp", skies, skies_refused},
+    {"stage1.inc", "", stage1, {}, false},
     {"stars.inc", "Stars_Inc_Temp", nullptr, stars_refused},
-    {"stdcam.inc", "", stdcam, {}},
+    {"stdcam.inc", "", stdcam, {}, false},
     {"stdinc.inc", "STDINC_INC_TEMP", stdinc, {}},
     {"stoneold.inc", "Stoneold_Inc_Temp", stoneold, stoneold_refused},
     {"stones.inc", "Stones_Inc_Temp", stones, {}},
     {"stones1.inc", "Stones1_Inc_Temp", stones1, stones1_refused},
-    {"stones2.inc", "Stones2_Inc_Temp", nullptr, stones2_refused},
+    {"stones2.inc", "Stones2_Inc_Temp", stones2, stones2_refused},
     {"strings.inc", "STRINGS_INC_TEMP", strings, strings_refused},
     {"textures.inc", "Textures_Inc_Temp", textures, textures_refused},
     {"transforms.inc", "TRANSFORMS_INC_TEMP", transforms, transforms_refused},
@@ -76,10 +76,8 @@ const StandardFile* find_standard_file(std::string_view name) {
 
 std::string standard_text(const StandardFile& file) {
     const std::string text = file.text ? file.text() : "";
-    // The file restores the version at its end: from there on, a scene that had none has one.
-    return file.guard.empty() || file.guard == "DEBUG_MCR"
-               ? text
-               : fmt::format("#version 3.5;\n{}#version {};\n", text, file.guard);
+    // From its last line on, a scene that had no version has one.
+    return file.sets_version ? fmt::format("#version 3.5;\n{}#version {};\n", text, file.guard) : text;
 }
 
 const StandardFile* standard_file_of(std::string_view identifier) {

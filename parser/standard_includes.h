@@ -20,6 +20,7 @@ struct StandardFile {
     std::string_view guard; ///< declared where the file is first read; then it is not read again. "" in files without
     std::string (*text)();  ///< what Proxima knows of it, or nullptr
     std::span<const RefusedNames> refused;
+    bool sets_version = true; ///< to what it was before, as a #version statement
 };
 
 /// Nullptr when `name` is not a standard file.

@@ -3,6 +3,15 @@
 #include "parser/standard/texts.h"
 
 namespace proxima::standard {
+namespace {
+
+/// The beginning of a file that needs a name of another, which it does not include.
+std::string after(const char* file, const char* name) {
+    return fmt::format("#ifndef ({0}) #error \"the name {0} is needed here: include {1} before this file\" #end\n",
+                       name, file);
+}
+
+} // namespace
 
 std::string shapes_old() {
     return R"(
@@ -51,6 +60,7 @@ std::string strings() {
 
 std::string debug() {
     return R"(
+#declare DEBUG_MCR = yes;
 #declare DEBUG = yes;
 #macro Debug_Inc_Stack() #declare View_POV_Include_Stack = 1; #end
 #macro Set_Debug(Flag) #declare DEBUG = Flag; #end
@@ -77,8 +87,20 @@ std::string logo() {
     return "#include \"shapes.inc\"\n";
 }
 
+std::string shapes2() {
+    return after("shapes.inc", "Cone_Y");
+}
+
+std::string shapesq() {
+    return after("shapes.inc", "Cylinder_Z");
+}
+
 std::string shapes3() {
     return "#include \"shapes.inc\"\n";
+}
+
+std::string skies() {
+    return after("colors.inc", "Clear");
 }
 
 std::string stoneold() {
@@ -96,7 +118,11 @@ std::string stones1() {
         {"g3", "0.13, 0.29, 0.28"},
         {"g4", "0.03, 0.18, 0.08"},
     };
-    return declare_colors("", colors);
+    return after("colors.inc", "White") + declare_colors("", colors);
+}
+
+std::string stones2() {
+    return after("colors.inc", "Clear");
 }
 
 std::string woods() {
