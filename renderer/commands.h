@@ -13,6 +13,11 @@ void render_command(const RenderOptions& options);
 /// Throws SceneRejected, FileError, Interrupted.
 void check_command(const CheckOptions& options);
 
+/// Compares two pictures, two sets of pictures, or POV-Ray's pictures of a scene with ours, and prints the figures.
+/// Throws PicturesDiffer unless all are equal within the tolerance, FileError when one cannot be read, UsageError, and
+/// when it renders what render_command throws.
+void compare_command(const CompareOptions& options);
+
 /// Prints the devices as a table or as JSON.
 void devices_command(const DevicesOptions& options);
 

@@ -20,6 +20,11 @@ struct SceneRejected : std::runtime_error {
         : std::runtime_error(message), report(std::move(report)) {}
 };
 
+/// The pictures that were compared are not equal. Exit code 4.
+struct PicturesDiffer : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A signal asked the run to stop, and the frame in flight has been finished. Exit code 128 + signal.
 struct Interrupted : std::runtime_error {
     int signal;

@@ -20,6 +20,7 @@ enum ExitCode {
     exit_scene = 1,
     exit_usage = 2,
     exit_file = 3,
+    exit_difference = 4,
     exit_out_of_memory = 33,
     exit_try_elsewhere = 75,
     exit_signal = 128,
@@ -51,6 +52,7 @@ int exit_code(const DeviceError& error) {
 struct Run {
     void operator()(const RenderOptions& options) const { render_command(options); }
     void operator()(const CheckOptions& options) const { check_command(options); }
+    void operator()(const CompareOptions& options) const { compare_command(options); }
     void operator()(const DevicesOptions& options) const { devices_command(options); }
     void operator()(const Information& information) const { std::fputs(information.text.c_str(), stdout); }
 };
@@ -70,6 +72,9 @@ int main(int argc, char** argv) {
         return fail(error.what(), exit_scene);
     } catch (const FileError& error) {
         return fail(error.what(), exit_file);
+    } catch (const PicturesDiffer& error) {
+        std::fflush(stdout); // the figures come before the verdict
+        return fail(error.what(), exit_difference);
     } catch (const DeviceError& error) {
         return fail(error.what(), exit_code(error));
     } catch (const Interrupted& error) {

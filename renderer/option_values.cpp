@@ -85,6 +85,24 @@ ClockValues parse_clock(std::string_view text) {
     return clock;
 }
 
+double parse_tolerance(std::string_view text) {
+    const size_t slash = std::min(text.find('/'), text.size());
+    const auto above = read_number<double>(text.substr(0, slash));
+    const auto below = slash == text.size() ? std::optional(1.0) : read_number<double>(text.substr(slash + 1));
+    const double value = above && below ? *above / *below : -1;
+    if (!std::isfinite(value) || value < 0)
+        throw UsageError(
+            fmt::format("--tolerance {}: write a number from 0, white being 1, like 0.004 or 1/255", text));
+    return value;
+}
+
+double parse_percent(std::string_view option, std::string_view text) {
+    const auto value = read_number<double>(text.substr(0, text.ends_with('%') ? text.size() - 1 : text.size()));
+    if (!value || !(*value >= 0 && *value <= 100))
+        throw UsageError(fmt::format("{} {}: write percent from 0 to 100, like 0.1", option, text));
+    return *value / 100;
+}
+
 std::pair<std::string, std::string> parse_declare(std::string_view text) {
     const size_t equals = text.find('=');
     const std::string_view name = text.substr(0, equals);

@@ -32,6 +32,12 @@ struct ClockValues {
 };
 ClockValues parse_clock(std::string_view text);
 
+/// "0.01" or "2/65535": from 0.
+double parse_tolerance(std::string_view text);
+
+/// "0.1": percent, as a share from 0 to 1.
+double parse_percent(std::string_view option, std::string_view text);
+
 /// "NAME=2.5" or "NAME=\"text\"".
 std::pair<std::string, std::string> parse_declare(std::string_view text);
 

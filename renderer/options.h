@@ -42,6 +42,22 @@ struct RenderOptions {
     std::optional<std::filesystem::path> stats_json;
 };
 
+/// Two pictures or sets of pictures; or, with `povray`, a scene that both programs render.
+struct CompareOptions {
+    std::filesystem::path a, b;
+    std::vector<int64_t> frames; ///< that A and B must have; empty: those that are found
+    bool povray = false;
+    SceneOptions scene;
+    FrameSettings frame;
+    DeviceChoice device;
+    unsigned threads = 0;
+    double time_limit = 0;    ///< seconds for a frame by POV-Ray
+    double tolerance = 0;     ///< white is 1
+    double allowed_share = 0; ///< of the pixels that may be over it
+    bool linear = false;      ///< decode levels to linear light first
+    std::optional<std::filesystem::path> heatmap, report, json;
+};
+
 struct CheckOptions {
     SceneOptions scene;
 };
@@ -55,7 +71,7 @@ struct Information {
     std::string text;
 };
 
-using Command = std::variant<RenderOptions, CheckOptions, DevicesOptions, Information>;
+using Command = std::variant<RenderOptions, CheckOptions, CompareOptions, DevicesOptions, Information>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

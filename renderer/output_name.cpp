@@ -11,33 +11,6 @@
 namespace proxima {
 namespace {
 
-constexpr int digits_of_one_hash = 4;
-constexpr int max_digits = 32;
-
-struct Placeholder {
-    size_t begin = 0, length = 0;
-    int digits = 0;
-};
-
-/// The first `###` or `%0Nd` at or after `from`.
-std::optional<Placeholder> find_placeholder(const std::string& name, size_t from) {
-    for (size_t i = from; i < name.size(); ++i) {
-        if (name[i] == '#') {
-            const size_t end = std::min(name.find_first_not_of('#', i), name.size());
-            return Placeholder{i, end - i, end - i == 1 ? digits_of_one_hash : int(end - i)};
-        }
-        if (name[i] != '%')
-            continue;
-        size_t end = i + 1;
-        int digits = 0;
-        while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end])) && digits <= max_digits)
-            digits = digits * 10 + (name[end++] - '0');
-        if (end < name.size() && name[end] == 'd' && (digits == 0 || name[i + 1] == '0'))
-            return Placeholder{i, end + 1 - i, digits};
-    }
-    return std::nullopt;
-}
-
 ImageFormat format_of(const std::filesystem::path& name) {
     std::string extension = name.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -81,31 +54,7 @@ const std::vector<BitsChoice>& choices_of(ImageFormat format) {
 
 } // namespace
 
-OutputName::OutputName(std::filesystem::path pattern) : folder_(pattern.parent_path()) {
-    const std::string name = pattern.filename().string();
-    format_ = format_of(pattern);
-    const auto placeholder = find_placeholder(name, 0);
-    if (!placeholder) {
-        before_ = name;
-        return;
-    }
-    before_ = name.substr(0, placeholder->begin);
-    after_ = name.substr(placeholder->begin + placeholder->length);
-    digits_ = placeholder->digits;
-    has_frame_number_ = true;
-    if (digits_ > max_digits)
-        throw UsageError(
-            fmt::format("-o {}: a frame number has at most {} digits; write #### or %04d", name, max_digits));
-    if (find_placeholder(name, placeholder->begin + placeholder->length))
-        throw UsageError(fmt::format("-o {}: the name has two places for the frame number; leave one of them", name));
-}
-
-std::filesystem::path OutputName::path(int64_t frame) const {
-    if (!has_frame_number_)
-        return folder_ / before_;
-    const uint64_t magnitude = frame < 0 ? uint64_t(-frame) : uint64_t(frame);
-    return folder_ / fmt::format("{}{}{:0{}}{}", before_, frame < 0 ? "-" : "", magnitude, digits_, after_);
-}
+OutputName::OutputName(const std::filesystem::path& pattern) : name_("-o", pattern), format_(format_of(pattern)) {}
 
 SampleType choose_sample_type(ImageFormat format, const std::optional<std::string>& bits) {
     const auto& choices = choices_of(format);

@@ -2,6 +2,8 @@
 // Where pictures go and what kind of file holds them: the -o option's text in, one path a frame out.
 // The frame number stands where the file name has `####` (n >= 2 hashes are n digits, one hash is four) or `%04d`.
 #pragma once
+#include "renderer/numbered_name.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -20,21 +22,17 @@ constexpr bool is_scene_linear(SampleType type) {
 class OutputName {
 public:
     /// Throws UsageError when the ending names no format, or the name has two places for the frame number.
-    explicit OutputName(std::filesystem::path pattern);
+    explicit OutputName(const std::filesystem::path& pattern);
 
-    bool has_frame_number() const { return has_frame_number_; }
+    bool has_frame_number() const { return name_.has_number(); }
     ImageFormat format() const { return format_; }
 
-    /// The file of `frame`; a negative number is a minus sign before its digits. Without a place for a number every
-    /// frame has the same name.
-    std::filesystem::path path(int64_t frame) const;
+    /// The file of `frame`. Without a place for a number every frame has the same name.
+    std::filesystem::path path(int64_t frame) const { return name_.path(frame); }
 
 private:
-    std::filesystem::path folder_;
-    std::string before_, after_; ///< the file name around the frame number
-    bool has_frame_number_ = false;
-    int digits_ = 0;
-    ImageFormat format_ = ImageFormat::png;
+    NumberedName name_;
+    ImageFormat format_;
 };
 
 /// The sample type that --bits means for a file of this format; without --bits 8 bits, and half for EXR.
