@@ -9,10 +9,26 @@ namespace proxima {
 namespace {
 
 std::atomic<int> caught_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
+std::atomic<int64_t> caught_at{0}; // milliseconds
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<int64_t>::is_always_lock_free,
+              "a signal handler writes them");
+
+constexpr int64_t patience = 1000; // milliseconds
+
+int64_t now() {
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time); // one of the few functions that a handler may call
+    return int64_t(time.tv_sec) * 1000 + time.tv_nsec / 1'000'000;
+}
 
 void remember(int signal) {
-    caught_signal = signal;
+    if (caught_signal == 0) {
+        caught_at = now();
+        caught_signal = signal;
+    } else if (now() - caught_at >= patience) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
 }
 
 } // namespace

@@ -301,3 +301,14 @@ TEST_CASE("program: a signal stops the run after the frame in flight") {
         CHECK_FALSE(work.files().empty());
     }
 }
+
+TEST_CASE("program: a second signal, a second later, ends the run in the middle of a frame") {
+    const Workplace work;
+    const char* script = "\"$@\" & pid=$!; sleep 1; kill -TERM $pid; sleep 1.5; kill -TERM $pid; wait $pid";
+    const ProcessResult run =
+        work.run({"render", "still.scn", "--size", "4000x4000", "--samples", "4096", "--device", "cpu"},
+                 {"sh", "-c", script, "sh"});
+    CHECK(run.exit_code == 143);
+    CHECK(run.wall_seconds < 20); // the frame would take minutes
+    CHECK_FALSE(says(run.standard_error, "stopped by signal"));
+}
