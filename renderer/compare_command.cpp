@@ -21,8 +21,8 @@ namespace {
 class Comparison {
 public:
     explicit Comparison(const CompareOptions& options) : options_(options) {
-        record_.a = options.povray ? "POV-Ray" : options.a.string();
-        record_.b = options.povray ? "Proxima" : options.b.string();
+        record_.a = options.povray ? options.scene.scene.string() + " by POV-Ray" : options.a.string();
+        record_.b = options.povray ? options.scene.scene.string() + " by Proxima" : options.b.string();
         record_.tolerance = options.tolerance;
         record_.allowed_share = options.allowed_share;
         if (options.heatmap)
