@@ -81,6 +81,7 @@ std::string math() {
     return R"(
 #include "functions.inc"
 
+// In POV-Ray these are functions, which take numbers alone: pow(A, 1) is A, if that is a number.
 #macro sind(Angle) sin(radians(Angle)) #end
 #macro cosd(Angle) cos(radians(Angle)) #end
 #macro tand(Angle) tan(radians(Angle)) #end
@@ -92,15 +93,15 @@ std::string math() {
 #macro min3(A, B, C) min(A, B, C) #end
 #macro even(N) select(mod(N, 2), 0, 1, 0) #end
 #macro odd(N) select(mod(N, 2), 1, 0, 1) #end
-#macro f_sqr(N) (N*N) #end
+#macro f_sqr(N) (N*pow(N, 1)) #end
 #macro sgn(N) select(N, -1, 0, 1) #end
 #macro clip(N, Low, High) min(High, max(N, Low)) #end
 #macro clamp(N, Low, High)
   (mod(N - Low, High - Low) + select(mod(N - Low, High - Low), High, Low))
 #end
-#macro adj_range(N, Low, High) (N*(High - Low) + Low) #end
+#macro adj_range(N, Low, High) (pow(N, 1)*pow(High - Low, 1) + Low) #end
 #macro adj_range2(N, Low, High, New_Low, New_High)
-  (((N - Low)/(High - Low))*(New_High - New_Low) + New_Low)
+  (pow((N - Low)/(High - Low), 1)*pow(New_High - New_Low, 1) + New_Low)
 #end
 #macro Interpolate(At, Start, End, A, B, Power)
   (#if (Power != 0)
