@@ -41,8 +41,7 @@ bool Evaluator::starts_color() {
     const Token& token = peek();
     if (token.kind == TokenKind::word)
         return token.index >= uint32_t(Word::color) && token.index <= uint32_t(Word::transmit);
-    const Binding* binding = token.kind == TokenKind::name ? scopes_.find(token.index) : nullptr;
-    const Terms* terms = binding ? std::get_if<Terms>(&binding->value) : nullptr;
+    const Terms* terms = identifier<Terms>();
     return terms && terms->count == 5;
 }
 

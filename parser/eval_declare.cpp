@@ -65,25 +65,23 @@ Symbol Evaluator::declared_name() {
     return token.index;
 }
 
-namespace {
-
 /// Whether an assignment may change what a condition says.
-bool value_changes(const Value& before, const Value& after) {
+bool Evaluator::value_changes(const Value& before, const Value& after) {
     const Terms* old_terms = std::get_if<Terms>(&before);
     const Terms* terms = std::get_if<Terms>(&after);
     return !old_terms || !terms || old_terms->count != terms->count ||
            !std::equal(terms->value, terms->value + terms->count, old_terms->value);
 }
 
-} // namespace
-
 void Evaluator::run_declare(const Token& directive) {
     ++cursor_;
     const Token& name = *cursor_;
     const Symbol symbol = declared_name();
     const SourceSpan declared = span(name);
-    if (const Binding* known = scopes_.find(symbol); known && std::holds_alternative<MacroRef>(known->value))
+    const Binding* known = scopes_.find(symbol);
+    if (known && std::holds_alternative<MacroRef>(known->value))
         fail(name, fmt::format("'{}' is a macro already", spelling(name)));
+    const std::vector<uint32_t> element = declared_element(name, known, directive);
     try {
         expect(TokenKind::equal);
         Value value = right_hand_side();
@@ -96,8 +94,10 @@ void Evaluator::run_declare(const Token& directive) {
         } else if (after_value(TokenKind::semicolon)) {
             advance();
         }
-        Binding& binding =
-            directive.directive == Directive::local ? scopes_.declare_local(symbol) : scopes_.declare(symbol);
+        Binding& binding = directive.directive == Directive::local && element.empty() ? scopes_.declare_local(symbol)
+                                                                                      : scopes_.declare(symbol);
+        if (!element.empty())
+            return store_element(name, binding.value, element, std::move(value));
         changes_ += value_changes(binding.value, value);
         binding.value = std::move(value);
         binding.declared = declared;
@@ -108,9 +108,38 @@ void Evaluator::run_declare(const Token& directive) {
     }
 }
 
+/// The element of an array that is to be declared: its path, or an empty one where a whole name is declared.
+std::vector<uint32_t> Evaluator::declared_element(const Token& name, const Binding* known, const Token& directive) {
+    if (!known || !std::holds_alternative<ArrayRef>(known->value)) {
+        if (name.target == Token::subscripted)
+            fail(name, fmt::format("'{}' is no array", spelling(name)), "declare it first: array[10], for example");
+        return {};
+    }
+    if (!stands_for_element(name))
+        return {};
+    if (directive.directive == Directive::local && !scopes_.is_local(name.index))
+        fail(name, fmt::format("#local cannot change '{}', which is declared elsewhere", spelling(name)),
+             "use #declare");
+    cursor_ = &name;
+    find_element(name, known->value);
+    if (directive.directive == Directive::undef && std::holds_alternative<std::monostate>(*element_.value))
+        fail(name, "this element of the array has no value yet");
+    std::vector<uint32_t> path = std::move(element_.path);
+    leave_element();
+    return path;
+}
+
 void Evaluator::run_undef() {
+    const Token& directive = *cursor_;
     ++cursor_;
-    scopes_.undefine(declared_name());
+    const Token& name = *cursor_;
+    const Symbol symbol = declared_name();
+    Binding* const known = scopes_.find(symbol);
+    const std::vector<uint32_t> element = declared_element(name, known, directive);
+    if (element.empty())
+        scopes_.undefine(symbol);
+    else
+        store_element(name, known->value, element, {});
     ++changes_;
 }
 
@@ -121,12 +150,17 @@ Value Evaluator::right_hand_side() {
     if (starts_string())
         return string();
     if (token.kind == TokenKind::name) {
-        if (const Binding* binding = lookup(token); binding && !std::holds_alternative<Terms>(binding->value)) {
-            Value value = binding->value;
+        const Value* named = named_value(token);
+        if (named && (std::holds_alternative<MacroRef>(*named) || std::holds_alternative<DataFileRef>(*named)))
+            fail_unexpected("a value");
+        if (named && !std::holds_alternative<Terms>(*named)) {
+            Value value = *named;
             advance();
             return value;
         }
     }
+    if (accept(Word::array))
+        return array();
     if (peek_is(Word::t))
         fail_unexpected("a value; a lone t needs parentheses");
     if (peek_is(Word::texture)) {

@@ -91,8 +91,14 @@ void Evaluator::run_directive(const Token& directive) {
     case Directive::warning:
     case Directive::error:
         return run_message(directive);
+    case Directive::fopen:
+        return run_fopen();
+    case Directive::fclose:
+        return run_fclose();
+    case Directive::read:
+        return run_read();
     default:
-        fail(directive, fmt::format("Proxima does not support {}", spelling(directive)));
+        fail(directive, fmt::format("Proxima does not support {}", spelling(directive)), "a scene writes no files");
     }
 }
 
@@ -109,15 +115,17 @@ bool Evaluator::condition(const Token& directive) {
         return std::abs(value.value[0]) > epsilon;
     }
     // #ifdef and #ifndef take a name as it stands.
-    const bool brackets = cursor_->kind == TokenKind::left_paren && cursor_[1].kind == TokenKind::name &&
-                          cursor_[2].kind == TokenKind::right_paren;
-    if (!brackets)
-        fail(*cursor_, fmt::format("unexpected '{}'", spelling(*cursor_)), "expected a name in parentheses");
-    Binding* binding = scopes_.find(cursor_[1].index);
-    if (binding)
-        binding->used = true;
-    cursor_ += 3;
-    return (binding != nullptr) == (directive.directive == Directive::ifdef);
+    const auto expect_here = [&](TokenKind kind) {
+        if (cursor_->kind != kind)
+            fail(*cursor_, fmt::format("unexpected '{}'", spelling(*cursor_)), "expected a name in parentheses");
+    };
+    expect_here(TokenKind::left_paren);
+    ++cursor_;
+    expect_here(TokenKind::name);
+    const bool defined = name_is_defined();
+    expect_here(TokenKind::right_paren);
+    ++cursor_;
+    return defined == (directive.directive == Directive::ifdef);
 }
 
 void Evaluator::run_if(const Token& directive) {

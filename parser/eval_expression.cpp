@@ -195,8 +195,8 @@ Terms Evaluator::factor() {
 }
 
 Terms Evaluator::name_factor(const Token& name) {
-    Binding* binding = lookup(name);
-    const Terms* value = binding ? std::get_if<Terms>(&binding->value) : nullptr;
+    const Value* named = named_value(name);
+    const Terms* value = named ? std::get_if<Terms>(named) : nullptr;
     if (!value)
         fail_unexpected("a number or a vector");
     Terms terms = *value;

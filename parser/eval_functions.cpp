@@ -205,14 +205,15 @@ Terms Evaluator::call_function(const Token& token) {
             break;
         }
         case Word::defined: {
-            const Token& name = peek();
-            Binding* binding = name.kind == TokenKind::name ? lookup(name) : nullptr;
-            if (name.kind != TokenKind::name)
+            if (peek().kind != TokenKind::name)
                 fail_unexpected("a name");
-            advance();
-            result = binding ? 1.0 : 0.0;
+            result = name_is_defined() ? 1.0 : 0.0;
             break;
         }
+        case Word::dimensions:
+        case Word::dimension_size:
+            result = array_function(token);
+            break;
         case Word::vdot: {
             const Vec3<double> a = vector();
             separator();

@@ -81,6 +81,8 @@ void Evaluator::run_message(const Token& directive) {
         fail(directive, std::move(message));
     if (directive.directive == Directive::warning)
         warn(directive, std::move(message));
+    else if (settings_.debug)
+        settings_.debug(message);
 }
 
 } // namespace proxima

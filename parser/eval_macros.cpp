@@ -36,6 +36,17 @@ void Evaluator::run_macro(const Token& directive) {
     cursor_ = &program_->tokens[directive.index + 1];
 }
 
+/// Whether an argument is a name and nothing else, or an element of an array.
+bool Evaluator::names_one_thing(const Token& token) {
+    const Value* value = token.kind == TokenKind::name ? named_value(token) : nullptr;
+    if (!value)
+        return false;
+    if (std::holds_alternative<DataFileRef>(*value))
+        fail(token, "an open file cannot be passed to a macro", "use its name in the macro: it is known there");
+    const TokenKind after = (element_.name == &token ? element_.after : &token + 1)->kind;
+    return after == TokenKind::comma || after == TokenKind::right_paren;
+}
+
 /// Goes on in the macro's body. An argument that is a name alone is that name: the macro may change it.
 void Evaluator::call_macro(const Token& name) {
     struct Argument {
@@ -56,10 +67,10 @@ void Evaluator::call_macro(const Token& name) {
                                     macro->parameters.size(), i));
         Argument& argument = arguments.emplace_back();
         argument.place = span(token);
-        const TokenKind after = cursor_[1].kind;
-        if (token.kind == TokenKind::name && (after == TokenKind::comma || after == TokenKind::right_paren) &&
-            lookup(token)) {
+        if (names_one_thing(token)) {
             argument.reference = scopes_.reference_to(token.index);
+            if (element_.name == &token)
+                argument.reference->element = element_.path;
             advance();
         } else {
             argument.value = right_hand_side();

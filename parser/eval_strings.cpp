@@ -33,8 +33,7 @@ bool Evaluator::starts_string() {
         return true;
     if (token.kind == TokenKind::word)
         return token.index >= uint32_t(Word::str) && token.index <= uint32_t(Word::strlwr);
-    const Binding* binding = token.kind == TokenKind::name ? scopes_.find(token.index) : nullptr;
-    return binding && std::holds_alternative<std::string>(binding->value);
+    return identifier<std::string>() != nullptr;
 }
 
 std::string Evaluator::string() {
@@ -47,7 +46,7 @@ std::string Evaluator::string() {
         return program_->strings[token.index];
     }
     if (token.kind == TokenKind::name) {
-        std::string value = std::get<std::string>(lookup(token)->value);
+        std::string value = std::get<std::string>(*named_value(token));
         advance();
         return value;
     }
@@ -131,6 +130,12 @@ double Evaluator::string_function(const Token& token) {
     }
     case Word::strlen:
         return double(text.size());
+    case Word::file_exists:
+        try {
+            return sources_.files.find(text) ? 1 : 0;
+        } catch (const FileError& error) {
+            fail(token, error.what());
+        }
     default: {
         char* end = nullptr;
         const double value = std::strtod(text.c_str(), &end);

@@ -66,10 +66,8 @@ bool Evaluator::starts_expression() {
     case TokenKind::minus:
     case TokenKind::bang:
         return true;
-    case TokenKind::name: {
-        const Binding* binding = scopes_.find(token.index);
-        return binding && std::holds_alternative<Terms>(binding->value);
-    }
+    case TokenKind::name:
+        return identifier<Terms>() != nullptr;
     case TokenKind::word:
         return token.index >= uint32_t(Word::x) && token.index <= uint32_t(Word::val);
     default:

@@ -80,6 +80,7 @@ void Evaluator::recover() {
     nesting_ = 0;
     bare_nesting_ = SIZE_MAX;
     run_position_ = 0;
+    element_ = {};
     while (in_item_ && frames_.size() > item_frames_)
         leave_frame();
     for (Loop& loop : loops_)

@@ -54,6 +54,15 @@ private:
         ~Nesting() { --evaluator.nesting_; }
     };
 
+    /// The element that the name under the cursor stands for, found when it was first asked for.
+    struct Element {
+        const Token* name = nullptr;  ///< nullptr when there is none
+        const Token* after = nullptr; ///< behind its subscripts
+        std::vector<uint32_t> path;   ///< as BindingRef::element
+        ArrayRef array;               ///< which keeps the value
+        const Value* value = nullptr; ///< std::monostate: none yet
+    };
+
     // eval_tokens.cpp: the stream of tokens
     const Token& peek() {
         while (cursor_->directive != Directive::none && interrupt()) {
@@ -66,7 +75,10 @@ private:
         return token;
     }
     void advance() {
-        ++cursor_;
+        if (cursor_ == element_.name)
+            leave_element();
+        else
+            ++cursor_;
         directive_before_ = false;
         if (++steps_ > settings_.step_limit)
             fail_steps();
@@ -125,6 +137,7 @@ private:
     // eval_macros.cpp
     void run_macro(const Token& directive);
     void call_macro(const Token& name);
+    bool names_one_thing(const Token& argument);
     bool leave_macro();
 
     // eval_declare.cpp
@@ -133,17 +146,50 @@ private:
     void declare_from_command_line(const std::string& name, const std::string& text);
     void run_declare(const Token& directive);
     void run_undef();
+    static bool value_changes(const Value& before, const Value& after);
     void run_default();
     Symbol declared_name();
+    std::vector<uint32_t> declared_element(const Token& name, const Binding* known, const Token& directive);
     Value right_hand_side();
     bool after_value(TokenKind kind);
     Binding* lookup(const Token& name);
+    /// What the name under the cursor stands for, subscripts and all, or nullptr. The token stays; advance() goes
+    /// behind the subscripts.
+    const Value* named_value(const Token& name) {
+        const Binding* binding = lookup(name);
+        if (!binding || !std::holds_alternative<ArrayRef>(binding->value))
+            return binding ? &binding->value : nullptr;
+        return &element_value(name, binding->value);
+    }
     /// The value of the next token if that is a name of this kind; the token stays.
     template <class T> const T* identifier() {
         const Token& token = peek();
-        const Binding* binding = token.kind == TokenKind::name ? lookup(token) : nullptr;
-        return binding ? std::get_if<T>(&binding->value) : nullptr;
+        const Value* value = token.kind == TokenKind::name ? named_value(token) : nullptr;
+        return value ? std::get_if<T>(value) : nullptr;
     }
+
+    // eval_budgets.cpp
+    void charge(uint64_t bytes);
+
+    // eval_arrays.cpp
+    Value array();
+    void initialize(Array& array, size_t dimension);
+    void add_element(const Token& at, Array& array, Value& element, Value value);
+    bool stands_for_element(const Token& name) const;
+    const Value& element_value(const Token& name, const Value& whole);
+    void find_element(const Token& name, const Value& whole);
+    void leave_element();
+    uint32_t subscript(const Array& array);
+    void store_element(const Token& name, Value& whole, const std::vector<uint32_t>& path, Value value);
+    double array_function(const Token& word);
+    bool name_is_defined();
+
+    // eval_files.cpp
+    void run_fopen();
+    void run_fclose();
+    void run_read();
+    void read_values();
+    void read_into(DataFile& file);
 
     // eval_expression.cpp
     Terms expression(); ///< with relations, & | and ?:
@@ -241,6 +287,7 @@ private:
 
     TokenProgram* program_ = nullptr;
     const Token* cursor_ = nullptr;
+    Element element_;
     size_t run_position_ = 0; ///< spheres already taken from the run under the cursor
     std::vector<Frame> frames_;
     std::vector<Loop> loops_;

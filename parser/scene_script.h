@@ -5,8 +5,10 @@
 #include "parser/scene_program.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,8 @@ struct EvaluationSettings {
     uint64_t step_limit = 500'000'000; ///< tokens evaluated; past it an endless loop is assumed
     /// The script is not evaluated again: literal spheres are moved out of the syntax instead of copied.
     bool last_evaluation = false;
+    /// Takes the texts of #debug, #render and #statistics; without it they are dropped.
+    std::function<void(std::string_view)> debug;
 };
 
 class SceneScript {

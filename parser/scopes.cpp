@@ -49,10 +49,10 @@ Binding& Scopes::bind_parameter(Symbol symbol) {
 
 BindingRef Scopes::reference_to(Symbol symbol) const {
     const std::vector<Binding>& bindings = bindings_[symbol];
-    return bindings.back().reference.value_or(BindingRef{symbol, uint32_t(bindings.size() - 1)});
+    return bindings.back().reference.value_or(BindingRef{symbol, uint32_t(bindings.size() - 1), {}});
 }
 
-Binding* Scopes::find(BindingRef reference) {
+Binding* Scopes::find(const BindingRef& reference) {
     std::vector<Binding>& bindings = bindings_[reference.symbol];
     return reference.index < bindings.size() ? &bindings[reference.index] : nullptr;
 }

@@ -10,10 +10,12 @@
 
 namespace proxima {
 
-/// Names one binding: the index counts the bindings of a symbol from the outermost.
+/// Names one binding: the index counts the bindings of a symbol from the outermost. Or an element of the array that is
+/// bound: where it stands in Array::elements, and where in that element's elements if it is an array, and so on.
 struct BindingRef {
     Symbol symbol = 0;
     uint32_t index = 0;
+    std::vector<uint32_t> element;
 };
 
 struct Binding {
@@ -38,8 +40,15 @@ public:
         Binding& binding = bindings_[symbol].back();
         return binding.reference ? find(*binding.reference) : &binding;
     }
-    /// What find() finds, for a parameter to refer to. The name has a binding.
+    /// What find() finds, or the element of it that a parameter stands for. The name has a binding.
     BindingRef reference_to(Symbol symbol) const;
+    /// The element that a parameter stands for, or nullptr when the name stands for a whole binding.
+    const std::vector<uint32_t>* element_of(Symbol symbol) const {
+        const std::optional<BindingRef>& reference = bindings_[symbol].back().reference;
+        return reference && !reference->element.empty() ? &reference->element : nullptr;
+    }
+    /// Whether #local would change what the name stands for, instead of making another binding.
+    bool is_local(Symbol symbol) const { return bindings_[symbol].back().scope == scope_; }
     /// Binds a macro's parameter in the current scope.
     Binding& bind_parameter(Symbol symbol);
     /// #declare: changes the innermost binding, or makes a global one.
@@ -51,7 +60,7 @@ public:
     const std::vector<std::vector<Binding>>& bindings() const { return bindings_; }
 
 private:
-    Binding* find(BindingRef reference);
+    Binding* find(const BindingRef& reference);
     std::vector<Binding>& stack(Symbol symbol);
 
     std::vector<std::vector<Binding>> bindings_; // by symbol; the innermost is the last

@@ -66,7 +66,7 @@ uint32_t SourceFiles::open_scene(const fs::path& path, std::vector<fs::path> inc
     return map_file(path, real);
 }
 
-std::optional<uint32_t> SourceFiles::open_include(const std::string& name) {
+std::optional<SourceFiles::Found> SourceFiles::find(const std::string& name) const {
     const fs::path relative(name);
     if (name.empty())
         throw FileError("the name of the file is empty");
@@ -77,15 +77,22 @@ std::optional<uint32_t> SourceFiles::open_include(const std::string& name) {
         std::error_code error;
         if (!fs::exists(fs::symlink_status(candidate, error)))
             continue;
-        const fs::path real = resolve(candidate);
+        fs::path real = resolve(candidate);
         if (!allowed(real))
             throw unreadable(candidate, "it lies outside of the scene's folder and the include paths");
-        for (uint32_t index = 0; index < size(); ++index)
-            if (files_[index].real_path == real)
-                return index;
-        return map_file(candidate, real);
+        return Found{candidate, std::move(real)};
     }
     return std::nullopt;
+}
+
+std::optional<uint32_t> SourceFiles::open_include(const std::string& name) {
+    const std::optional<Found> found = find(name);
+    if (!found)
+        return std::nullopt;
+    for (uint32_t index = 0; index < size(); ++index)
+        if (files_[index].real_path == found->real_path)
+            return index;
+    return map_file(found->path, found->real_path);
 }
 
 uint32_t SourceFiles::add_text(std::string name, std::string text) {

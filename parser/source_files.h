@@ -37,8 +37,15 @@ public:
     /// Opens the scene file and allows its folder and `include_paths` for reading. Returns its index.
     uint32_t open_scene(const std::filesystem::path& path, std::vector<std::filesystem::path> include_paths);
 
-    /// Finds `name` beside the scene, then in the include paths. The same file keeps its index. Nothing when there is
-    /// no such file; one that may not be read throws FileError.
+    /// The resolved path of `name`, which is searched beside the scene, then in the include paths. Nothing when there
+    /// is no such file; one outside of these folders throws FileError.
+    struct Found {
+        std::filesystem::path path, real_path;
+    };
+    std::optional<Found> find(const std::string& name) const;
+
+    /// Opens an include file or a data file that find() finds. The same file keeps its index. One that may not be read
+    /// throws FileError.
     std::optional<uint32_t> open_include(const std::string& name);
 
     /// Adds a text that is no file.

@@ -52,7 +52,7 @@ enum class Directive : uint8_t {
     none,
     // clang-format off
     if_, ifdef, ifndef, elseif, else_, switch_, case_, range, break_, while_, for_, end, macro,
-    declare, local, undef, include, version, default_, debug, warning, error, unsupported,
+    declare, local, undef, include, version, default_, debug, warning, error, fopen, fclose, read, write,
     // clang-format on
     call,        ///< a name before a parenthesis: perhaps a macro's
     end_of_text, ///< go back to where the text was included
@@ -61,6 +61,7 @@ enum class Directive : uint8_t {
 /// 16 bytes. What the payload means depends on the kind.
 struct Token {
     static constexpr uint32_t no_target = 0xffffffffu;
+    static constexpr uint32_t subscripted = 1; ///< target of a name before a bracket
 
     uint32_t offset = 0; ///< bytes from the start of the text
     uint16_t length = 1; ///< bytes, at most 65,535

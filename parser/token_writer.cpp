@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parser/token_writer.h"
 
+#include "parser/string_escapes.h"
 #include "parser/words.h"
 
 #include <algorithm>
@@ -21,10 +22,10 @@ constexpr std::pair<std::string_view, Directive> directive_names[] = {
     {"macro", Directive::macro},      {"declare", Directive::declare}, {"local", Directive::local},
     {"undef", Directive::undef},      {"include", Directive::include}, {"version", Directive::version},
     {"default", Directive::default_}, {"debug", Directive::debug},     {"warning", Directive::warning},
-    {"error", Directive::error},
+    {"error", Directive::error},      {"render", Directive::debug},    {"statistics", Directive::debug},
+    {"fopen", Directive::fopen},      {"fclose", Directive::fclose},   {"read", Directive::read},
+    {"write", Directive::write},
 };
-
-constexpr std::string_view unsupported_directives[] = {"fopen", "fclose", "read", "write", "render", "statistics"};
 
 bool opens_block(Directive directive) {
     switch (directive) {
@@ -79,6 +80,8 @@ void TokenWriter::add(TokenKind kind, std::string_view piece) {
         brackets_.push_back(index);
         if (kind == TokenKind::left_paren && index > 0 && program_.tokens[index - 1].kind == TokenKind::name)
             program_.tokens[index - 1].directive = Directive::call;
+        if (kind == TokenKind::left_bracket && index > 0 && program_.tokens[index - 1].kind == TokenKind::name)
+            program_.tokens[index - 1].target = Token::subscripted;
         break;
     case TokenKind::right_brace:
     case TokenKind::right_paren:
@@ -107,29 +110,10 @@ void TokenWriter::add_string(std::string_view piece) {
     Token& token = append(TokenKind::string, piece);
     token.index = uint32_t(program_.strings.size());
     std::string& value = program_.strings.emplace_back();
-    const std::string_view inner = piece.substr(1, piece.size() - 2);
-    for (size_t i = 0; i < inner.size(); ++i) {
-        if (inner[i] != '\\') {
-            value += inner[i];
-            continue;
-        }
-        switch (inner[++i]) {
-        case 'n':
-            value += '\n';
-            break;
-        case 't':
-            value += '\t';
-            break;
-        case '\\':
-        case '"':
-        case '\'':
-            value += inner[i];
-            break;
-        default:
-            diagnostics_.error({{program_.file, token.offset + uint32_t(i)}, 2}, "unknown escape sequence in a string",
-                               "expected \\n, \\t, \\\", \\' or \\\\");
-        }
-    }
+    const size_t bad = unescape(piece.substr(1, piece.size() - 2), value);
+    if (bad != std::string_view::npos)
+        diagnostics_.error({{program_.file, token.offset + 1 + uint32_t(bad)}, 2},
+                           "unknown escape sequence in a string", "expected \\n, \\t, \\\", \\' or \\\\");
 }
 
 void TokenWriter::add_identifier(std::string_view piece) {
@@ -147,13 +131,10 @@ void TokenWriter::unexpected(std::string_view piece) {
 
 void TokenWriter::add_directive(std::string_view piece, std::string_view name) {
     Token& token = append(TokenKind::directive, piece);
-    token.directive = Directive::unsupported;
     token.index = token.target = Token::no_target;
     const auto found = std::find_if(std::begin(directive_names), std::end(directive_names),
                                     [&](const auto& entry) { return entry.first == name; });
     if (found == std::end(directive_names)) {
-        if (std::ranges::find(unsupported_directives, name) != std::end(unsupported_directives))
-            return;
         std::vector<std::string_view> known;
         for (const auto& entry : directive_names)
             known.push_back(entry.first);

@@ -20,6 +20,11 @@ void Shape::dress_parts() {
         part.surface.inherit(own);
 }
 
+ValueKind kind_of(const Value& value) {
+    const Terms* terms = std::get_if<Terms>(&value);
+    return {value.index(), terms ? terms->count : 0};
+}
+
 const char* value_description(const Value& value) {
     struct Describe {
         const char* operator()(std::monostate) const { return "nothing"; }
@@ -37,6 +42,8 @@ const char* value_description(const Value& value) {
         const char* operator()(const CameraRef&) const { return "a camera"; }
         const char* operator()(const TransformRef&) const { return "a transform"; }
         const char* operator()(const MacroRef&) const { return "a macro"; }
+        const char* operator()(const ArrayRef&) const { return "an array"; }
+        const char* operator()(const DataFileRef&) const { return "an open file"; }
         const char* operator()(Refused) const { return "a name that Proxima refuses"; }
     };
     return std::visit(Describe{}, value);

@@ -97,6 +97,8 @@ struct Refused {
     std::string_view word;
 };
 
+struct Array;
+class DataFile;
 struct Macro;
 
 using ShapeRef = std::shared_ptr<const Shape>;
@@ -104,9 +106,22 @@ using LightRef = std::shared_ptr<const Light<double>>;
 using CameraRef = std::shared_ptr<const Camera<double>>;
 using TransformRef = std::shared_ptr<const TransformPair>;
 using MacroRef = std::shared_ptr<const Macro>;
+using ArrayRef = std::shared_ptr<Array>;       ///< see array.h
+using DataFileRef = std::shared_ptr<DataFile>; ///< an open file
 
-using Value = std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef,
-                           MaterialValue, ShapeRef, LightRef, CameraRef, TransformRef, MacroRef, Refused>;
+using Value =
+    std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef, MaterialValue,
+                 ShapeRef, LightRef, CameraRef, TransformRef, MacroRef, Refused, ArrayRef, DataFileRef>;
+
+/// What POV-Ray tells apart where a value may replace only one of its kind.
+struct ValueKind {
+    size_t type = 0; ///< Value's alternative; 0 is none
+    int terms = 0;   ///< of a number, vector or color
+
+    friend bool operator==(const ValueKind&, const ValueKind&) = default;
+};
+
+ValueKind kind_of(const Value& value);
 
 /// "a number", "a texture", ...: for messages.
 const char* value_description(const Value& value);

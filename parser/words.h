@@ -36,6 +36,8 @@ namespace proxima {
     X(adc_bailout, "adc_bailout") X(charset, "charset") X(max_intersections, "max_intersections") \
     X(number_of_waves, "number_of_waves") X(noise_generator, "noise_generator") X(mm_per_unit, "mm_per_unit") \
     X(ascii, "ascii") X(utf8, "utf8") \
+    /* values */ \
+    X(array, "array") X(append, "append") \
     /* colours */ \
     X(color, "color") X(colour, "colour") X(rgb, "rgb") X(rgbf, "rgbf") X(rgbt, "rgbt") X(rgbft, "rgbft") \
     X(srgb, "srgb") X(srgbf, "srgbf") X(srgbt, "srgbt") X(srgbft, "srgbft") X(red, "red") X(green, "green") \
@@ -49,9 +51,9 @@ namespace proxima {
     X(int_, "int") X(ln, "ln") X(log, "log") X(max, "max") X(min, "min") X(mod, "mod") X(pow, "pow") \
     X(radians, "radians") X(rand, "rand") X(seed, "seed") X(select, "select") X(sin, "sin") X(sinh, "sinh") \
     X(sqrt, "sqrt") X(tan, "tan") X(tanh, "tanh") X(bitwise_and, "bitwise_and") \
-    X(bitwise_or, "bitwise_or") X(bitwise_xor, "bitwise_xor") X(defined, "defined") X(vdot, "vdot") \
+    X(bitwise_or, "bitwise_or") X(bitwise_xor, "bitwise_xor") X(defined, "defined") X(dimensions, "dimensions") X(dimension_size, "dimension_size") X(vdot, "vdot") \
     X(vlength, "vlength") X(vcross, "vcross") X(vnormalize, "vnormalize") X(vrotate, "vrotate") \
-    X(vaxis_rotate, "vaxis_rotate") X(asc, "asc") X(strcmp, "strcmp") X(strlen, "strlen") X(val, "val") \
+    X(vaxis_rotate, "vaxis_rotate") X(asc, "asc") X(strcmp, "strcmp") X(strlen, "strlen") X(file_exists, "file_exists") X(val, "val") \
     /* functions that give strings: from str to strlwr */ \
     X(str, "str") X(vstr, "vstr") X(concat, "concat") X(chr, "chr") X(substr, "substr") X(strupr, "strupr") \
     X(strlwr, "strlwr") \

@@ -23,7 +23,8 @@ std::string describe(const SceneProgram& program) {
 void check_command(const CheckOptions& options) {
     const StopSignal stop;
     const Animation& animation = options.scene.animation;
-    SceneSource scene(options.scene);
+    const auto print = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
+    SceneSource scene(options.scene, print);
     size_t evaluations = 0;
     for (const int64_t frame : animation.frames) {
         if (stop.caught())

@@ -7,7 +7,8 @@
 
 namespace proxima {
 
-SceneSource::SceneSource(const SceneOptions& options) : options_(options) {
+SceneSource::SceneSource(const SceneOptions& options, std::function<void(std::string_view)> debug)
+    : options_(options), debug_(std::move(debug)) {
     timed(parse_ms_, [&] { script_.emplace(options.scene, options.include_paths, diagnostics_); });
     reject_mistakes(diagnostics_);
 }
@@ -19,7 +20,8 @@ bool SceneSource::load(int64_t frame) {
                                       .image_width = options_.width,
                                       .image_height = options_.height,
                                       .declares = options_.declares,
-                                      .last_evaluation = options_.animation.frames.size() == 1};
+                                      .last_evaluation = options_.animation.frames.size() == 1,
+                                      .debug = debug_};
     Diagnostics later; // what a later frame repeats is not said again
     Diagnostics& diagnostics = loaded_frame_ ? later : diagnostics_;
     program_ = {};

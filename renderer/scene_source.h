@@ -5,6 +5,7 @@
 #include "renderer/options.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,8 @@ namespace proxima {
 class SceneSource {
 public:
     /// Reads and parses. Throws FileError and SceneRejected. `options` must outlive this.
-    explicit SceneSource(const SceneOptions& options);
+    /// `debug` takes the texts of #debug and its like.
+    explicit SceneSource(const SceneOptions& options, std::function<void(std::string_view)> debug = {});
 
     /// Evaluates `frame` unless it is the same scene as the frame before. Returns whether program() is new.
     /// Throws FileError and SceneRejected.
@@ -33,6 +35,7 @@ private:
     void reject_mistakes(const Diagnostics& diagnostics) const;
 
     const SceneOptions& options_;
+    std::function<void(std::string_view)> debug_;
     Diagnostics diagnostics_; ///< of parsing and of the first evaluation
     double parse_ms_ = 0, evaluate_ms_ = 0;
     std::optional<SceneScript> script_;

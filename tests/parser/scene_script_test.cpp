@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The front door: a file on disk, its includes, evaluated for several frames.
 #include "parser/scene_script.h"
+#include "tests/parser/folder.h"
 
-#include <cstdlib>
 #include <doctest/doctest.h>
 #include <filesystem>
-#include <fstream>
 
 using namespace proxima;
+using namespace proxima::testing;
 namespace fs = std::filesystem;
-
-namespace {
-
-struct Folder {
-    fs::path path;
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "proxima-script-XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    Folder(const Folder&) = delete;
-    ~Folder() { fs::remove_all(path); }
-    fs::path write(const char* name, const char* text) const {
-        std::ofstream(path / name) << text;
-        return path / name;
-    }
-};
-
-} // namespace
 
 TEST_CASE("script: read once, evaluated for every frame") {
     const Folder folder;
