@@ -150,6 +150,7 @@ TEST_CASE("compare program: each mistake has its exit code and its remedy") {
         {{"a.png", "a.png", "--report", "a.png"}, 3, "cannot be made"},
         {{"a.scn", "a.png", "--povray"}, 2, "a.png: --povray compares one scene with itself"},
         {{"a.scn", "--povray", "--frames", "3"}, 2, "POV-Ray has no clock in an animation of one frame"},
+        {{"-", "--povray"}, 2, "two programs cannot read one standard input"},
         {{"nowhere.scn", "--povray"}, 3, "nowhere.scn"},
     };
     for (const Row& row : rows) {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/shared_options.h"
+#include "renderer/errors.h"
+#include "renderer/frame_range.h"
+#include "renderer/option_values.h"
+
+#include <unordered_set>
+
+namespace proxima {
+namespace {
+
+Animation read_animation(const SceneTexts& texts) {
+    const bool has_clock = !texts.clock.empty();
+    const ClockValues clock = has_clock ? parse_clock(texts.clock) : ClockValues{};
+    if (texts.frames.empty()) {
+        if (!texts.subset.empty())
+            throw UsageError("--subset: it chooses from an animation's frames; give --frames A-B too");
+        if (texts.cyclic)
+            throw UsageError("--cyclic: only an animation goes round; give --frames A-B too");
+        if (clock.final)
+            throw UsageError(
+                fmt::format("--clock {}: a still has one clock; write --clock {}, or give --frames A-B too",
+                            texts.clock, clock.initial));
+        return Animation::still(has_clock ? std::optional(clock.initial) : std::nullopt);
+    }
+    if (has_clock && !clock.final)
+        throw UsageError(fmt::format("--clock {0}: an animation's clock is a range; write --clock 0:{0}", texts.clock));
+
+    const std::vector<int64_t> all = parse_frame_range("--frames", texts.frames);
+    std::vector<int64_t> frames = texts.subset.empty() ? all : parse_frame_range("--subset", texts.subset);
+    const std::unordered_set<int64_t> known(all.begin(), all.end());
+    for (const int64_t frame : frames)
+        if (!known.contains(frame))
+            throw UsageError(
+                fmt::format("--subset {}: frame {} is not one of --frames {}; --frames is the whole animation",
+                            texts.subset, frame, texts.frames));
+    Animation animation = Animation::sequence(all, std::move(frames));
+    animation.cyclic = texts.cyclic;
+    if (clock.final) {
+        animation.initial_clock = clock.initial;
+        animation.final_clock = *clock.final;
+    }
+    return animation;
+}
+
+} // namespace
+
+void add_scene_options(CLI::App& command, SceneTexts& texts) {
+    command.add_option("--size", texts.size, "Width x height in pixels [640x480]")->type_name("WxH");
+    command.add_option("--frames", texts.frames, "The animation: sets clock and numbering (1-100, 1-100x2, 1,3,5..9)")
+        ->type_name("RANGE");
+    command.add_option("--clock", texts.clock, "A still's clock, or an animation's first and last [0:1]")
+        ->type_name("V|A:B");
+    command.add_flag("--cyclic", texts.cyclic, "The clock stops one step short of its last value");
+    command.add_option("--declare", texts.declares, "Declares NAME before the scene is read; repeatable")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--include-path", texts.include_paths, "Folder for #include, after the scene's; repeatable")
+        ->type_name("DIR")
+        ->expected(1)
+        ->take_all();
+}
+
+void add_device_options(CLI::App& command, DeviceTexts& texts) {
+    command.add_option("--device", texts.device, "auto, cpu, cuda or cuda:N [auto: a CUDA device if there is one]")
+        ->type_name("DEVICE");
+    command.add_option("--accel", texts.accelerator, "How rays find spheres: auto, grid, brute [auto]")
+        ->type_name("METHOD");
+    command.add_option("--grid", texts.grid, "Voxels along each axis [auto: chosen from the scene]")
+        ->type_name("N|NxNxN");
+    command.add_option("--precision", texts.precision, "float or double [" + texts.precision + "]")->type_name("P");
+    command.add_option("--threads", texts.threads, "CPU threads [0: all cores]")->type_name("N");
+}
+
+SceneOptions read_scene_options(const SceneTexts& texts) {
+    SceneOptions options;
+    options.scene = texts.scene;
+    options.include_paths.assign(texts.include_paths.begin(), texts.include_paths.end());
+    for (const std::string& declare : texts.declares)
+        options.declares.push_back(parse_declare(declare));
+    std::tie(options.width, options.height) = parse_size(texts.size);
+    options.animation = read_animation(texts);
+    return options;
+}
+
+FrameSettings read_frame_settings(const SceneOptions& scene, const DeviceTexts& texts) {
+    FrameSettings frame{.width = scene.width, .height = scene.height};
+    frame.precision = parse_choice<Precision>("--precision", texts.precision,
+                                              {{"float", Precision::float32}, {"double", Precision::float64}});
+    frame.accelerator = parse_choice<Accelerator>(
+        "--accel", texts.accelerator,
+        {{"auto", Accelerator::automatic}, {"grid", Accelerator::grid}, {"brute", Accelerator::brute}});
+    if (texts.grid != "auto")
+        frame.grid = parse_grid(texts.grid);
+    return frame;
+}
+
+} // namespace proxima

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options that more than one command has: their declaration to CLI11, and their texts in, checked values out.
+#pragma once
+#include "renderer/options.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace proxima {
+
+/// The options as the user wrote them; empty where absent.
+struct SceneTexts {
+    std::string scene, size = "640x480", frames, subset, clock;
+    std::vector<std::string> include_paths, declares;
+    bool cyclic = false;
+};
+
+struct DeviceTexts {
+    std::string device = "auto", accelerator = "auto", grid = "auto", precision = "float", threads = "0";
+};
+
+/// Everything but the scene itself and --subset.
+void add_scene_options(CLI::App& command, SceneTexts& texts);
+void add_device_options(CLI::App& command, DeviceTexts& texts);
+
+/// Both throw UsageError.
+SceneOptions read_scene_options(const SceneTexts& texts);
+FrameSettings read_frame_settings(const SceneOptions& scene, const DeviceTexts& texts);
+
+} // namespace proxima
