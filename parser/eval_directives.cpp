@@ -55,11 +55,9 @@ void Evaluator::run_directive(const Token& directive) {
         return run_switch(directive);
     case Directive::case_:
     case Directive::range:
-        // Fallen through from the case before: its condition does not matter.
+        // Fallen through from the case before: its condition does not matter, but POV-Ray reads it.
         ++cursor_;
-        if (cursor_->kind != TokenKind::left_paren || cursor_->target == Token::no_target)
-            fail_unexpected("'(' and a number");
-        cursor_ = &program_->tokens[cursor_->target + 1];
+        case_values(directive);
         return;
     case Directive::break_: {
         const Token& opener = program_->tokens[directive.index];
@@ -140,6 +138,19 @@ void Evaluator::run_if(const Token& directive) {
     }
 }
 
+/// The numbers in the parentheses of a #case or #range.
+std::pair<double, double> Evaluator::case_values(const Token& directive) {
+    expect(TokenKind::left_paren);
+    const double first = number();
+    double last = first;
+    if (directive.directive == Directive::range) {
+        separator();
+        last = number();
+    }
+    expect(TokenKind::right_paren);
+    return {first, last};
+}
+
 void Evaluator::run_switch(const Token& directive) {
     ++cursor_;
     expect(TokenKind::left_paren);
@@ -151,14 +162,7 @@ void Evaluator::run_switch(const Token& directive) {
     for (; branch->directive == Directive::case_ || branch->directive == Directive::range;
          branch = &program_->tokens[branch->target]) {
         cursor_ = branch + 1;
-        expect(TokenKind::left_paren);
-        const double first = number();
-        double last = first;
-        if (branch->directive == Directive::range) {
-            separator();
-            last = number();
-        }
-        expect(TokenKind::right_paren);
+        const auto [first, last] = case_values(*branch);
         if (branch->directive == Directive::case_ ? std::abs(value - first) < epsilon : value >= first && value <= last)
             return;
     }

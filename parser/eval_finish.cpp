@@ -96,7 +96,10 @@ void Evaluator::reflection(Finish& finish) {
     for (;;) {
         const Token& token = peek();
         if (accept(Word::fresnel)) {
-            finish.fresnel = optional_flag(true);
+            const double flag = starts_expression() ? std::trunc(number()) : 1;
+            if (flag != 0 && flag != 1)
+                fail(token, "fresnel is on or off");
+            finish.fresnel = uint32_t(flag);
         } else if (accept(Word::falloff)) {
             finish.reflection_falloff = float(number());
         } else if (accept(Word::exponent)) {

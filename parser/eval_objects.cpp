@@ -142,7 +142,7 @@ void Evaluator::object_modifiers(Shape& shape, Word kind) {
         } else if (accept(Word::hollow)) {
             optional_flag(true); // matters to media and fog alone
         } else if (kind == Word::union_ && accept(Word::split_union)) {
-            optional_flag(true); // matters to POV-Ray's bounding boxes alone
+            number(); // matters to POV-Ray's bounding boxes alone
         } else if (transform_item(transform)) {
             transform_object(shape, transform);
         } else {

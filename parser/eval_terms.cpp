@@ -19,7 +19,8 @@ Terms Evaluator::vector_literal() {
             fail_unexpected("'>': a vector has at most 5 terms");
         const double value = number();
         terms.value[terms.count++] = value;
-        accept(TokenKind::comma);
+        if (accept(TokenKind::comma) && terms.count == 5 && peek().kind == TokenKind::right_angle)
+            fail_unexpected("no comma behind the fifth term");
     }
     advance();
     return terms;

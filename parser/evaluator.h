@@ -120,6 +120,7 @@ private:
     void run_directive(const Token& directive);
     void run_if(const Token& directive);
     bool condition(const Token& directive);
+    std::pair<double, double> case_values(const Token& directive);
     void run_switch(const Token& directive);
     void run_while(const Token& directive);
     void run_for(const Token& directive);

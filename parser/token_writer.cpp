@@ -174,12 +174,19 @@ void TokenWriter::branch(uint32_t index) {
         (of_switch ? false : is_if(opener)) || (opener == Directive::switch_ && token.directive != Directive::elseif);
     if (!fits)
         fail(token, of_switch ? "this directive stands in no #switch" : "this directive belongs to no #if");
+    check_condition(token);
     Token& last = program_.tokens[blocks_.back().last];
     if (last.directive == Directive::else_)
         fail(token, "nothing but #end may follow the #else of a block");
     last.target = index;
     token.index = blocks_.back().opener;
     blocks_.back().last = index;
+}
+
+/// A directive that ends a branch may not stand in the parentheses of the branch's own condition.
+void TokenWriter::check_condition(const Token& token) const {
+    if (!brackets_.empty() && brackets_.back() == blocks_.back().last + 1)
+        fail(token, "the condition before this directive is not closed", "expected ')'");
 }
 
 void TokenWriter::break_block(uint32_t index) {
@@ -199,6 +206,7 @@ void TokenWriter::close_block(uint32_t index) {
     Token& token = program_.tokens[index];
     if (blocks_.empty())
         fail(token, "this #end closes nothing");
+    check_condition(token);
     const Block block = blocks_.back();
     blocks_.pop_back();
     token.index = block.opener;

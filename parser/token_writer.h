@@ -50,6 +50,7 @@ private:
     void open_bracket(TokenKind kind, std::string_view piece);
     void close_bracket(TokenKind kind, std::string_view piece);
     void branch(uint32_t token);
+    void check_condition(const Token& token) const;
     void break_block(uint32_t token);
     void close_block(uint32_t token);
     [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {}) const;

@@ -33,6 +33,7 @@ size_t refused_line(const std::vector<std::string>& lines, std::string& message)
     std::ofstream scene("snippets.scn");
     for (size_t i = 1; i < lines.size(); ++i)
         scene << lines[i] << '\n';
+    scene << "camera { location 1e5*y direction y }\n"; // not inside of a hundred spheres
     scene.close();
     const auto run =
         run_process({"povray", "+Isnippets.scn", "+W4", "+H4", "-D", "-GR", "-GS", "+Osnippets.png"}, ".", 60);
