@@ -15,7 +15,7 @@ namespace {
 using namespace standard;
 
 const StandardFile files[] = {
-    {"arrays.inc", "ARRAYS_INC_TEMP", nullptr, arrays_refused},
+    {"arrays.inc", "ARRAYS_INC_TEMP", arrays, arrays_refused},
     {"chars.inc", "Chars_Inc_Temp", nullptr, chars_refused},
     {"colors.inc", "Colors_Inc_Temp", colors, {}},
     {"consts.inc", "Consts_Inc_Temp", consts, {}},

@@ -78,7 +78,7 @@ std::string consts() {
 }
 
 std::string math() {
-    return R"(
+    const std::string text = R"(
 #include "functions.inc"
 
 // In POV-Ray these are functions, which take numbers alone: pow(A, 1) is A, if that is a number.
@@ -156,6 +156,7 @@ std::string math() {
   #declare __Gradient_Fn_Accuracy_ = abs(Step);
 #end
 )";
+    return text + array_statistics();
 }
 
 std::string transforms() {

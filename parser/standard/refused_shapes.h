@@ -7,10 +7,7 @@ namespace proxima::standard {
 
 // clang-format off
 inline constexpr RefusedNames arrays_refused[] = {
-    {"array",
-     "Rand_Array_Item Resize_Array Reverse_Array Sort_Compare Sort_Swap_Data Sort_Array Sort_Partial_Array "
-     "ARRAYS_QuickSortSeed ARRAYS_HybridQuickSortStep ARRAYS_InsertionSort"},
-    {"fopen",
+    {"write",
      "ARRAYS_WriteDF3"},
 };
 
@@ -62,8 +59,6 @@ inline constexpr RefusedNames logo_refused[] = {
 };
 
 inline constexpr RefusedNames math_refused[] = {
-    {"array",
-     "Mean Std_Dev GetStats Histogram"},
     {"function",
      "fn_Gradient fn_Gradient_Directional fn_Divergence vGradient vCurl Divergence Gradient_Length "
      "Gradient_Directional"},
@@ -101,7 +96,7 @@ inline constexpr RefusedNames shapes_refused[] = {
      "Quad"},
     {"smooth_triangle",
      "Smooth_Quad"},
-    {"array",
+    {"mesh2",
      "HF_Square HF_Sphere HF_Cylinder HF_Torus"},
     {"mesh2",
      "HFCreate_"},
@@ -155,7 +150,7 @@ inline constexpr RefusedNames shapesq_refused[] = {
 };
 
 inline constexpr RefusedNames strings_refused[] = {
-    {"fopen",
+    {"write",
      "Parse_String"},
 };
 

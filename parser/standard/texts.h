@@ -11,6 +11,8 @@
 
 namespace proxima::standard {
 
+std::string arrays();
+std::string array_statistics(); ///< a part of math.inc
 std::string colors();
 std::string consts();
 std::string debug();

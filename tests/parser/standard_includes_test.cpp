@@ -121,6 +121,20 @@ TEST_CASE("standard includes: a name that needs what Proxima lacks is there, and
               .spheres.size() == 1);
 }
 
+TEST_CASE("standard includes: what a refused name is said to need is indeed refused") {
+    for (const char* name :
+         {"arrays",  "chars",    "functions", "glass",      "ior",        "logo",     "math",  "rand",
+          "shapes",  "shapes2",  "shapes3",   "shapes_old", "shapesq",    "skies",    "stars", "stones1",
+          "stones2", "stoneold", "strings",   "textures",   "transforms", "woodmaps", "woods"})
+        for (const RefusedNames& refused : find_standard_file(std::string(name) + ".inc")->refused) {
+            CAPTURE(refused.word);
+            const auto words = reserved_words();
+            const auto word = std::find(words.begin(), words.end(), refused.word) - words.begin();
+            CHECK(
+                (word >= ptrdiff_t(Word::first_unsupported) || refused.word == "write" || refused.word == "caustics"));
+        }
+}
+
 TEST_CASE("standard includes: a name whose file is not included says which file that is") {
     const Evaluated result = evaluate("sphere { 0, 1 texture { Gold_Metal } }");
     CHECK(result.messages.find("write #include \"textures.inc\" before it") != std::string::npos);
