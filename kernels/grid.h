@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A uniform grid over the frame's bounds: a list of primitive ids a voxel, all lists in one array (Lagae and Dutre,
-// "Compact, Fast and Robust Grids for Ray Tracing", 2008). Points go in, voxels come out.
+// A uniform grid over the frame's bounds: a list of primitives a voxel, all lists in one array (Lagae and Dutre,
+// "Compact, Fast and Robust Grids for Ray Tracing", 2008). With a cloud over it, its voxels stand in bricks of b^3, and
+// only bricks that hold something have lists. Points go in, voxels come out.
 #pragma once
+#include "kernels/cloud.h"
 #include "kernels/geometry.h"
 
 #include <span>
@@ -14,22 +16,28 @@ template <class Real> struct GridView {
     Vec3<Real> inverse_voxel{Real(1)};
     Vec3<int32_t> size{0};
     Real inflation = Real(0); ///< added to every radius on registration; covers all rounding of the walk and the tests
-    std::span<uint32_t> starts;     ///< list of voxel v: references[starts[v] ... starts[v + 1])
+    std::span<uint32_t> starts;     ///< list of slot s: [starts[s] ... starts[s + 1]) of the two arrays below
     std::span<uint32_t> references; ///< primitive ids, in no order
+    std::span<Sphere<Real>> listed; ///< the spheres of the references; the radius of what is no sphere is negative
+    CloudView cloud;                ///< without bricks: every voxel has a slot of its own
 
     HD bool in_use() const { return size.x > 0; }
     HD uint32_t cell_count() const { return uint32_t(size.x) * uint32_t(size.y) * uint32_t(size.z); }
     HD uint32_t index(int32_t x, int32_t y, int32_t z) const {
         return uint32_t(x) + uint32_t(size.x) * (uint32_t(y) + uint32_t(size.y) * uint32_t(z));
     }
+    /// Where a voxel's list stands in `starts`. With a cloud, its brick must be occupied.
+    HD uint32_t slot(int32_t x, int32_t y, int32_t z) const {
+        return cloud.in_use() ? cloud.slot(x, y, z) : index(x, y, z);
+    }
     /// The voxel along one axis at `offset` from the lower side, moved into the grid.
     HD int32_t cell(Real offset, int axis) const {
         const Real c = clamped(offset * inverse_voxel[axis], Real(0), Real(size[axis] - 1));
         return int32_t(c);
     }
-    HD uint32_t index_at(const Vec3<Real>& point) const {
+    HD Vec3<int32_t> cell_at(const Vec3<Real>& point) const {
         const Vec3<Real> p = point - lower;
-        return index(cell(p.x, 0), cell(p.y, 1), cell(p.z, 2));
+        return {cell(p.x, 0), cell(p.y, 1), cell(p.z, 2)};
     }
 };
 
@@ -48,7 +56,19 @@ template <class Real> HD GridView<Real> make_grid(const Box<Real>& bounds, const
     return grid;
 }
 
-/// Calls `visit(voxel)` once for each voxel that the sphere, inflated, overlaps: row by row, exactly.
+/// The grid of the bricks of a grid: what a primitive overlaps there holds all that it overlaps in the grid itself,
+/// since multiplication by a power of two is exact.
+template <class Real> HD GridView<Real> brick_grid(const GridView<Real>& grid) {
+    GridView<Real> bricks;
+    bricks.lower = grid.lower;
+    bricks.size = grid.cloud.size;
+    bricks.voxel = grid.voxel * Real(1 << grid.cloud.shift);
+    bricks.inverse_voxel = grid.inverse_voxel / Real(1 << grid.cloud.shift);
+    bricks.inflation = grid.inflation;
+    return bricks;
+}
+
+/// Calls `visit(x, y, z)` once for each voxel that the sphere, inflated, overlaps: row by row, exactly.
 template <class Real, class Visit>
 HD void for_each_cell(const GridView<Real>& grid, const Sphere<Real>& sphere, const Visit& visit) {
     const Vec3<Real> center = sphere.center - grid.lower;
@@ -63,15 +83,14 @@ HD void for_each_cell(const GridView<Real>& grid, const Sphere<Real>& sphere, co
             if (half2 < 0)
                 continue;
             const Real half = square_root(half2);
-            const uint32_t row = grid.index(0, y, z);
             const int32_t x_end = grid.cell(center.x + half, 0);
             for (int32_t x = grid.cell(center.x - half, 0); x <= x_end; ++x)
-                visit(row + uint32_t(x));
+                visit(x, y, z);
         }
     }
 }
 
-/// Calls `visit(voxel)` once for each voxel that the box, inflated, overlaps.
+/// Calls `visit(x, y, z)` once for each voxel that the box, inflated, overlaps.
 template <class Real, class Visit>
 HD void for_each_cell(const GridView<Real>& grid, const Box<Real>& box, const Visit& visit) {
     const Vec3<Real> margin(grid.inflation);
@@ -79,7 +98,7 @@ HD void for_each_cell(const GridView<Real>& grid, const Box<Real>& box, const Vi
     for (int32_t z = grid.cell(low.z, 2); z <= grid.cell(high.z, 2); ++z)
         for (int32_t y = grid.cell(low.y, 1); y <= grid.cell(high.y, 1); ++y)
             for (int32_t x = grid.cell(low.x, 0); x <= grid.cell(high.x, 0); ++x)
-                visit(grid.index(x, y, z));
+                visit(x, y, z);
 }
 
 } // namespace proxima

@@ -80,7 +80,29 @@ HD void for_each_cell_of(const GridView<Real>& grid, const GeometryView<Real>& g
         for_each_cell(grid, bounding_box(geometry.ellipsoid(id)), visit);
 }
 
-/// Primitive -> counts[voxel] grows by one for each voxel that lists it. counts are the grid's starts, shifted by one:
+/// Primitive -> the bricks that it overlaps are occupied: their distance is 0.
+template <class Real> struct MarkBricks {
+    GridView<Real> bricks;
+    GeometryView<Real> geometry;
+    std::span<uint8_t> distances;
+
+    HD void operator()(uint32_t id) const {
+        uint8_t* occupied = distances.data();
+        for_each_cell_of(bricks, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
+            store_relaxed(&occupied[bricks.index(x, y, z)], uint8_t(0));
+        });
+    }
+};
+
+/// Brick -> 1 where it is occupied; the exclusive sum of these is CloudView::ranks.
+struct CountBricks {
+    std::span<const uint8_t> distances;
+    std::span<uint32_t> ranks;
+
+    HD void operator()(uint32_t brick) const { ranks[brick] = brick < distances.size() && distances[brick] == 0; }
+};
+
+/// Primitive -> counts[slot] grows by one for each voxel that lists it. counts are the grid's starts, shifted by one:
 /// after an exclusive sum they are where each list begins, and after FillReferences where it ends.
 template <class Real> struct CountReferences {
     GridView<Real> grid;
@@ -88,7 +110,8 @@ template <class Real> struct CountReferences {
 
     HD void operator()(uint32_t id) const {
         uint32_t* counts = grid.starts.data() + 1;
-        for_each_cell_of(grid, geometry, id, [counts](uint32_t voxel) { atomic_add(&counts[voxel], 1); });
+        for_each_cell_of(grid, geometry, id,
+                         [&](int32_t x, int32_t y, int32_t z) { atomic_add(&counts[grid.slot(x, y, z)], 1); });
     }
 };
 
@@ -98,8 +121,12 @@ template <class Real> struct FillReferences {
 
     HD void operator()(uint32_t id) const {
         uint32_t* ends = grid.starts.data() + 1;
-        uint32_t* references = grid.references.data();
-        for_each_cell_of(grid, geometry, id, [=](uint32_t voxel) { references[atomic_add(&ends[voxel], 1)] = id; });
+        const Sphere<Real> copy = geometry.is_sphere(id) ? geometry.spheres[id] : Sphere<Real>{{}, Real(-1)};
+        for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
+            const uint32_t r = atomic_add(&ends[grid.slot(x, y, z)], 1);
+            grid.references[r] = id;
+            grid.listed[r] = copy;
+        });
     }
 };
 

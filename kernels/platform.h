@@ -29,4 +29,13 @@ HD inline uint32_t atomic_add(uint32_t* counter, uint32_t value) {
 #endif
 }
 
+/// Stores a value that other threads may store at the same time.
+template <class T> HD void store_relaxed(T* place, T value) {
+#if defined(__CUDA_ARCH__)
+    *reinterpret_cast<volatile T*>(place) = value;
+#else
+    __atomic_store_n(place, value, __ATOMIC_RELAXED);
+#endif
+}
+
 } // namespace proxima

@@ -93,7 +93,8 @@ template <class Real> struct SceneView {
     glm::vec3 ambient_light{1.0f};
     float adc_bailout = 1.0f / 255.0f;
     uint32_t max_trace_level = 5;
-    bool has_fading = false; ///< some interior attenuates
+    bool has_fading = false;    ///< some interior attenuates
+    bool has_no_shadow = false; ///< some material casts no shadow
 };
 
 } // namespace proxima

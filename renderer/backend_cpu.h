@@ -108,9 +108,9 @@ public:
         if (size_ > 0)
             std::memcpy(static_cast<void*>(out), data_, size_ * sizeof(T));
     }
-    void clear_bytes() {
+    void fill_bytes(int value) {
         if (size_ > 0)
-            std::memset(static_cast<void*>(data_), 0, size_ * sizeof(T));
+            std::memset(static_cast<void*>(data_), value, size_ * sizeof(T));
     }
     T read(size_t index) const { return data_[index]; }
 

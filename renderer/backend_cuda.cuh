@@ -155,9 +155,9 @@ public:
         cuda_check(cudaMemcpyAsync(out, data(), size_ * sizeof(T), cudaMemcpyDeviceToHost, stream()));
         backend_->synchronize();
     }
-    void clear_bytes() {
+    void fill_bytes(int value) {
         if (size_ > 0)
-            cuda_check(cudaMemsetAsync(data(), 0, size_ * sizeof(T), stream()));
+            cuda_check(cudaMemsetAsync(data(), value, size_ * sizeof(T), stream()));
     }
     T read(size_t index) const {
         T value;

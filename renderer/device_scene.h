@@ -70,6 +70,8 @@ public:
         view_.max_trace_level = scene.max_trace_level;
         view_.has_fading = std::any_of(scene.interiors.begin(), scene.interiors.end(),
                                        [](const Interior& i) { return i.fade_power > 0 && i.fade_distance != 0; });
+        view_.has_no_shadow = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                          [](const Material& m) { return (m.flags & material_no_shadow) != 0; });
         curve_ = scene.working_curve == WorkingCurve::linear  ? FilmCurve::linear
                  : scene.working_curve == WorkingCurve::power ? FilmCurve::power
                                                               : FilmCurve::srgb;

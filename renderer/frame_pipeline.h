@@ -28,7 +28,12 @@ public:
         const FilmView film = make_film(settings); // before the grid, which makes do with what is left
         grid_.find_bounds(scene.geometry);
         if (uses_grid(settings, scene))
-            grid_.build(scene, settings.grid, statistics);
+            grid_.build(scene, plan_of(settings), statistics);
+        backend_.synchronize();
+
+        const auto listed = Clock::now();
+        if (scene.grid.cloud.in_use())
+            grid_.build_distances(scene, statistics);
         backend_.synchronize();
 
         const auto built = Clock::now();
@@ -38,8 +43,9 @@ public:
 
         const auto traced = Clock::now();
         read_back(film, image);
-        statistics.method = scene.grid.in_use() ? "grid" : "brute";
-        statistics.build_ms = milliseconds(started, built);
+        statistics.method = scene.grid.cloud.in_use() ? "cloud" : scene.grid.in_use() ? "grid" : "brute";
+        statistics.build_ms = milliseconds(started, listed);
+        statistics.cloud_ms = milliseconds(listed, built);
         statistics.trace_ms = milliseconds(built, traced);
         statistics.readback_ms = milliseconds(traced, Clock::now());
         statistics.peak_device_bytes = backend_.memory().peak();
@@ -67,8 +73,17 @@ private:
     /// A handful of primitives is tested faster than a grid is walked.
     static bool uses_grid(const FrameSettings& settings, const SceneView<Real>& scene) {
         constexpr uint32_t few = 8;
-        return settings.accelerator == Accelerator::grid ||
+        return settings.accelerator == Accelerator::grid || settings.accelerator == Accelerator::cloud ||
                (settings.accelerator == Accelerator::automatic && scene.geometry.round_count() > few);
+    }
+
+    static GridPlan plan_of(const FrameSettings& settings) {
+        GridPlan plan{.size = settings.grid, .metric = settings.metric};
+        if (settings.accelerator == Accelerator::cloud) {
+            plan.brick = settings.brick ? settings.brick : 4;
+            plan.voxels_per_primitive = 32;
+        }
+        return plan;
     }
 
     void trace(const SceneView<Real>& scene, const FilmView& film) {
@@ -109,7 +124,7 @@ private:
         pending_states_.resize(size_t(threads) * needs.stack_entries);
         pending_interiors_.resize(size_t(threads) * needs.stack_entries * needs.interior_capacity);
         overflows_.resize(1);
-        overflows_.clear_bytes();
+        overflows_.fill_bytes(0);
         return {.states = pending_states_.view(),
                 .interiors = pending_interiors_.view(),
                 .overflows = overflows_.view(),

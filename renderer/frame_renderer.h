@@ -2,6 +2,7 @@
 // A device that renders frames: what the rest of the renderer knows of a backend. One virtual call a frame; everything
 // behind it is one template (frame_pipeline.h).
 #pragma once
+#include "kernels/cloud.h"
 #include "parser/scene_program.h"
 #include "renderer/image.h"
 
@@ -14,7 +15,7 @@ namespace proxima {
 
 enum class Precision { float32, float64 };
 enum class Tolerances { exact, povray };
-enum class Accelerator { automatic, grid, brute };
+enum class Accelerator { automatic, grid, cloud, brute };
 
 struct FrameSettings {
     uint32_t width = 640;
@@ -24,15 +25,19 @@ struct FrameSettings {
     Tolerances tolerances = Tolerances::exact;
     Accelerator accelerator = Accelerator::automatic;
     std::array<uint32_t, 3> grid{0, 0, 0}; ///< voxels along x, y, z; 0 = chosen from the scene
+    Metric metric = Metric::chessboard;    ///< of the cloud
+    uint32_t brick = 0;                    ///< voxels along a brick of the cloud: 1, 2, 4 or 8; 0 = chosen
 };
 
 /// What a frame took and what it was made with. Milliseconds; a step that did not run is 0.
 struct FrameStatistics {
-    std::string method; ///< "grid" or "brute"
+    std::string method; ///< "grid", "cloud" or "brute"
     std::array<uint32_t, 3> grid{0, 0, 0};
     uint64_t references = 0; ///< entries in all voxels' lists
     uint64_t occupied = 0;   ///< voxels with at least one
-    double mean_distance = 0;
+    Metric metric = Metric::chessboard;
+    uint32_t brick = 0;       ///< voxels along a brick of the cloud
+    double mean_distance = 0; ///< over the cloud's empty bricks, in bricks
     double motion_ms = 0, build_ms = 0, cloud_ms = 0, trace_ms = 0, readback_ms = 0;
     uint64_t peak_device_bytes = 0;
 };

@@ -65,8 +65,13 @@ void add_scene_options(CLI::App& command, SceneTexts& texts) {
 void add_device_options(CLI::App& command, DeviceTexts& texts) {
     command.add_option("--device", texts.device, "auto, cpu, cuda or cuda:N [auto: a CUDA device if there is one]")
         ->type_name("DEVICE");
-    command.add_option("--accel", texts.accelerator, "How rays find spheres: auto, grid, brute [auto]")
+    command.add_option("--accel", texts.accelerator, "How rays find spheres: auto, grid, cloud, brute [auto]")
         ->type_name("METHOD");
+    command
+        .add_option("--metric", texts.metric, "Of the cloud: chessboard, city-block, euclidean, octant [chessboard]")
+        ->type_name("M");
+    command.add_option("--brick", texts.brick, "Voxels along a brick of the cloud: 1, 2, 4 or 8 [auto]")
+        ->type_name("B");
     command.add_option("--grid", texts.grid, "Voxels along each axis [auto: chosen from the scene]")
         ->type_name("N|NxNxN");
     command.add_option("--precision", texts.precision, "float or double [" + texts.precision + "]")->type_name("P");
@@ -88,9 +93,17 @@ FrameSettings read_frame_settings(const SceneOptions& scene, const DeviceTexts& 
     FrameSettings frame{.width = scene.width, .height = scene.height};
     frame.precision = parse_choice<Precision>("--precision", texts.precision,
                                               {{"float", Precision::float32}, {"double", Precision::float64}});
-    frame.accelerator = parse_choice<Accelerator>(
-        "--accel", texts.accelerator,
-        {{"auto", Accelerator::automatic}, {"grid", Accelerator::grid}, {"brute", Accelerator::brute}});
+    frame.accelerator = parse_choice<Accelerator>("--accel", texts.accelerator,
+                                                  {{"auto", Accelerator::automatic},
+                                                   {"grid", Accelerator::grid},
+                                                   {"cloud", Accelerator::cloud},
+                                                   {"brute", Accelerator::brute}});
+    frame.metric = parse_choice<Metric>("--metric", texts.metric,
+                                        {{"chessboard", Metric::chessboard},
+                                         {"city-block", Metric::city_block},
+                                         {"euclidean", Metric::euclidean},
+                                         {"octant", Metric::octant}});
+    frame.brick = parse_choice<uint32_t>("--brick", texts.brick, {{"auto", 0}, {"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}});
     if (texts.grid != "auto")
         frame.grid = parse_grid(texts.grid);
     return frame;

@@ -17,7 +17,8 @@ struct SceneTexts {
 };
 
 struct DeviceTexts {
-    std::string device = "auto", accelerator = "auto", grid = "auto", precision = "float", threads = "0";
+    std::string device = "auto", accelerator = "auto", grid = "auto", metric = "chessboard", brick = "auto",
+                precision = "float", threads = "0";
 };
 
 /// Everything but the scene itself and --subset.

@@ -15,6 +15,12 @@ uint64_t peak_host_bytes() {
     return uint64_t(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
+/// Null without a cloud.
+Json metric_json(const FrameStatistics& statistics) {
+    static constexpr const char* names[] = {"chessboard", "city-block", "euclidean", "octant"};
+    return statistics.method == "cloud" ? Json(names[size_t(statistics.metric)]) : Json();
+}
+
 Json frame_json(const FrameRecord& record) {
     const FrameStatistics& statistics = record.statistics;
     return {{"frame", record.frame},
@@ -22,7 +28,8 @@ Json frame_json(const FrameRecord& record) {
             {"device", record.device},
             {"precision", record.precision},
             {"method", statistics.method},
-            {"metric", nullptr},
+            {"metric", metric_json(statistics)},
+            {"brick", statistics.brick},
             {"grid", statistics.grid},
             {"references", statistics.references},
             {"occupied", statistics.occupied},

@@ -64,7 +64,25 @@ Ray<Real> awkward_ray(RandomNumbers& random, int kind, const Box<Real>& bounds, 
 
 } // namespace
 
-TEST_CASE_TEMPLATE("traverse: the grid finds what brute force finds, bit for bit", Real, float, double) {
+const GridPlan plans[] = {
+    {},
+    {.size = {1, 1, 1}},
+    {.size = {50, 3, 17}},
+    {.size = {64, 64, 64}},
+    {.brick = 1},
+    {.size = {1, 1, 1}, .brick = 1},
+    {.size = {50, 3, 17}, .brick = 2},
+    {.size = {64, 64, 64}, .brick = 4},
+    {.size = {40, 40, 40}, .brick = 8},
+    {.size = {33, 70, 20}, .brick = 1, .metric = Metric::city_block},
+    {.size = {64, 64, 64}, .brick = 2, .metric = Metric::city_block},
+    {.size = {33, 70, 20}, .brick = 1, .metric = Metric::euclidean},
+    {.size = {64, 64, 64}, .brick = 4, .metric = Metric::euclidean},
+    {.size = {33, 70, 20}, .brick = 1, .metric = Metric::octant},
+    {.size = {64, 64, 64}, .brick = 4, .metric = Metric::octant},
+};
+
+TEST_CASE_TEMPLATE("traverse: every grid and cloud finds what brute force finds, bit for bit", Real, float, double) {
     RandomNumbers random{std::mt19937(5)};
     CpuBackend backend;
     for (const Vec3<double> spread : {Vec3<double>(1, 1, 1), {1, 0, 1}, {1, 0, 0}, {3, 0.1, 1}}) {
@@ -77,11 +95,15 @@ TEST_CASE_TEMPLATE("traverse: the grid finds what brute force finds, bit for bit
         brute.surfaces.materials = surfaces;
         GridBuilder<CpuBackend, Real> builder(backend);
         builder.find_bounds(brute.geometry);
-        for (const std::array<uint32_t, 3> size :
-             {std::array<uint32_t, 3>{0, 0, 0}, {1, 1, 1}, {50, 3, 17}, {64, 64, 64}}) {
+        for (const GridPlan& plan : plans) {
+            CAPTURE(plan.size[0]);
+            CAPTURE(plan.brick);
+            CAPTURE(int(plan.metric));
             SceneView<Real> grid = brute;
             FrameStatistics statistics;
-            builder.build(grid, size, statistics);
+            builder.build(grid, plan, statistics);
+            if (plan.brick > 0)
+                builder.build_distances(grid, statistics);
             REQUIRE(grid.grid.in_use());
             int hits = 0;
             for (int i = 0; i < 3000; ++i) {
@@ -163,7 +185,7 @@ TEST_CASE("traverse: the primitives around a point, with and without a grid") {
     builder.find_bounds(brute.geometry);
     SceneView<float> grid = brute;
     FrameStatistics statistics;
-    builder.build(grid, {0, 0, 0}, statistics);
+    builder.build(grid, {}, statistics);
     const auto around = [](const SceneView<float>& scene, const Vec3<float>& point) {
         std::vector<uint32_t> ids;
         for_each_around(scene, point, [&](uint32_t id) {
