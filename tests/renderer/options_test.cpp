@@ -101,7 +101,7 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
         {{"--samples", "0"}, "--samples 0: write a whole number from 1 to 65536"},
         {{"--threads", "many"}, "--threads many: write a whole number from 0 to 4096"},
         {{"--device", "gpu"}, "--device gpu: write auto, cpu, cuda or cuda:N; `proxima devices` lists them"},
-        {{"--accel", "gird"}, "--accel gird: not one of auto, brute, grid; did you mean grid?"},
+        {{"--accel", "gird"}, "--accel gird: not one of auto, brute, cloud, grid; did you mean grid?"},
         {{"--grid", "1x2"}, "--grid 1x2: write one number of voxels for all axes, or three like 64x32x64"},
         {{"--grid", "60000x60000x60000"},
          "--grid 60000x60000x60000: more than 4294967296 voxels; choose a coarser grid"},
