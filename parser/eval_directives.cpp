@@ -31,8 +31,8 @@ bool Evaluator::interrupt() {
 }
 
 void Evaluator::run_directive(const Token& directive) {
-    if (++steps_ > settings_.step_limit)
-        fail_steps();
+    if (++steps_ > next_check_)
+        check_budget();
     const Nesting nesting(*this);
     if (!in_item_)
         item_start_ = cursor_;

@@ -47,6 +47,7 @@ Shape Evaluator::object() {
         object_reference(shape);
     }
     object_modifiers(shape, word);
+    charge(shape.bytes());
     return shape;
 }
 

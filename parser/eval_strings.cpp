@@ -82,6 +82,7 @@ std::string Evaluator::string() {
     case Word::concat:
         do {
             result += string();
+            charge(result.size());
             if (result.size() > 1'000'000)
                 fail(token, "this string is longer than a million characters");
         } while (accept(TokenKind::comma));

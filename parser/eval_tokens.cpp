@@ -121,13 +121,6 @@ std::string Evaluator::unclosed_item() const {
     return fmt::format("; is the item that begins in line {} closed?", line);
 }
 
-void Evaluator::fail_steps() {
-    // The innermost loop is the one that does not end, as a rule.
-    const Token& token = loops_.empty() ? *cursor_ : *loops_.back().opener;
-    fail(token, fmt::format("the scene takes more than {} steps to evaluate", settings_.step_limit),
-         loops_.empty() ? "" : "does this loop end?");
-}
-
 std::string Evaluator::suggestion(std::string_view name) const {
     std::vector<std::string_view> candidates;
     for (Symbol symbol = 0; symbol < scopes_.bindings().size(); ++symbol)

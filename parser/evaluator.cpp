@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The evaluator's main loop: items one after the other, and how it goes on after a mistake.
 #include "parser/evaluator.h"
+#include "parser/memory.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,8 @@ Evaluator::Evaluator(ScriptSources& sources, const EvaluationSettings& settings,
     PigmentValue black;
     const Layer layer{builder_.add_pigment(black), builder_.add_finish(Finish{})};
     default_texture_ = builder_.add_texture({&layer, 1});
+    byte_limit_ = settings.budget.bytes > 0 ? settings.budget.bytes : machine_bytes() / 4 * 3;
+    bytes_at_start_ = resident_bytes();
     predeclare();
 }
 
@@ -30,7 +33,7 @@ SceneProgram Evaluator::run() {
         } catch (const SceneError& error) {
             if (!error.diagnostic.message.empty())
                 diagnostics_.report(error.diagnostic);
-            more = steps_ <= settings_.step_limit && diagnostics_.error_count() < 200;
+            more = !exhausted_ && diagnostics_.error_count() < 200;
             if (more)
                 recover();
         }

@@ -11,6 +11,7 @@
 #include "parser/script_sources.h"
 #include "parser/words.h"
 
+#include <chrono>
 #include <unordered_set>
 
 namespace proxima {
@@ -80,8 +81,8 @@ private:
         else
             ++cursor_;
         directive_before_ = false;
-        if (++steps_ > settings_.step_limit)
-            fail_steps();
+        if (++steps_ > next_check_)
+            check_budget();
     }
     bool accept(TokenKind kind) {
         if (peek().kind != kind)
@@ -108,7 +109,6 @@ private:
     [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {}) const;
     [[noreturn]] void fail_expected(TokenKind kind);
     [[noreturn]] void fail_unexpected(const std::string& expected);
-    [[noreturn]] void fail_steps();
     [[noreturn]] void fail_refused(const Token& token, std::string_view name, const Refused& refused);
     [[noreturn]] void fail_undeclared(const Token& token, std::string_view name, const std::string& expected);
     std::string unclosed_item() const;
@@ -169,8 +169,10 @@ private:
         return value ? std::get_if<T>(value) : nullptr;
     }
 
-    // eval_budgets.cpp
+    // eval_budget.cpp
     void charge(uint64_t bytes);
+    void check_budget();
+    [[noreturn]] void fail_budget(std::string message);
 
     // eval_arrays.cpp
     Value array();
@@ -296,6 +298,12 @@ private:
     size_t item_frames_ = 0;
     bool in_item_ = false;
     uint64_t steps_ = 0;
+    uint64_t next_check_ = 0; ///< steps_ when the budget is looked at again
+    uint64_t charged_ = 0;    ///< bytes since the budget was looked at
+    uint64_t bytes_at_start_ = 0;
+    uint64_t byte_limit_ = 0;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    bool exhausted_ = false;         ///< the budget is
     bool directive_before_ = false;  ///< a directive ran since the last token
     size_t bare_nesting_ = SIZE_MAX; ///< where an expression ends at a directive: see next_operator
     uint64_t changes_ = 0;           ///< of anything that a condition may depend on

@@ -26,13 +26,20 @@ struct SceneClock {
     double final_clock = 0;
 };
 
+/// What one evaluation may cost. A scene that needs more is refused.
+struct EvaluationBudget {
+    uint64_t steps = 500'000'000; ///< tokens evaluated; past it an endless loop is assumed
+    uint64_t bytes = 0;           ///< of memory; 0: three quarters of the machine's
+    double seconds = 600;
+};
+
 struct EvaluationSettings {
     SceneClock time;
     uint32_t image_width = 640;
     uint32_t image_height = 480;
     /// --declare NAME=VALUE: a number, or a string in double quotes.
     std::vector<std::pair<std::string, std::string>> declares;
-    uint64_t step_limit = 500'000'000; ///< tokens evaluated; past it an endless loop is assumed
+    EvaluationBudget budget;
     /// The script is not evaluated again: literal spheres are moved out of the syntax instead of copied.
     bool last_evaluation = false;
     /// Takes the texts of #debug, #render and #statistics; without it they are dropped.
@@ -41,7 +48,8 @@ struct EvaluationSettings {
 
 class SceneScript {
 public:
-    /// Reads and parses `path`. Mistakes go to `diagnostics`; files that cannot be read throw FileError.
+    /// Reads and parses `path`, or the standard input for "-". Mistakes go to `diagnostics`; files that cannot be read
+    /// throw FileError.
     SceneScript(const std::filesystem::path& path, std::vector<std::filesystem::path> include_paths,
                 Diagnostics& diagnostics);
     ~SceneScript();

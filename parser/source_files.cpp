@@ -38,6 +38,21 @@ fs::path resolve(const fs::path& path) {
     return real;
 }
 
+std::string read_standard_input() {
+    std::string text;
+    char piece[65536];
+    for (;;) {
+        const ssize_t count = ::read(STDIN_FILENO, piece, sizeof piece);
+        if (count == 0)
+            return text;
+        if (count < 0 && errno != EINTR)
+            throw unreadable("the standard input", std::strerror(errno));
+        text.append(piece, size_t(std::max<ssize_t>(count, 0)));
+        if (text.size() >= std::numeric_limits<uint32_t>::max())
+            throw unreadable("the standard input", "it is larger than 4 GiB");
+    }
+}
+
 /// Whether `path` is `folder` or lies in it; both are resolved.
 bool is_below(const fs::path& path, const fs::path& folder) {
     const auto [rest, _] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
@@ -53,9 +68,10 @@ SourceFiles::~SourceFiles() {
 }
 
 uint32_t SourceFiles::open_scene(const fs::path& path, std::vector<fs::path> include_paths) {
-    const fs::path real = resolve(path);
+    const bool from_input = path == "-";
+    const fs::path real = from_input ? fs::path() : resolve(path);
     folders_ = {path.parent_path().empty() ? fs::path(".") : path.parent_path()};
-    allowed_roots_ = {real.parent_path()};
+    allowed_roots_ = {from_input ? resolve(".") : real.parent_path()};
     for (fs::path& folder : include_paths) {
         std::error_code error;
         if (!fs::is_directory(folder, error))
@@ -63,7 +79,7 @@ uint32_t SourceFiles::open_scene(const fs::path& path, std::vector<fs::path> inc
         allowed_roots_.push_back(resolve(folder));
         folders_.push_back(std::move(folder));
     }
-    return map_file(path, real);
+    return from_input ? add_text("<stdin>", read_standard_input()) : map_file(path, real);
 }
 
 std::optional<SourceFiles::Found> SourceFiles::find(const std::string& name) const {

@@ -34,7 +34,8 @@ public:
     SourceFiles(const SourceFiles&) = delete;
     SourceFiles& operator=(const SourceFiles&) = delete;
 
-    /// Opens the scene file and allows its folder and `include_paths` for reading. Returns its index.
+    /// Opens the scene file and allows its folder and `include_paths` for reading; "-" is the standard input, whose
+    /// folder is the working folder. Returns its index.
     uint32_t open_scene(const std::filesystem::path& path, std::vector<std::filesystem::path> include_paths);
 
     /// The resolved path of `name`, which is searched beside the scene, then in the include paths. Nothing when there

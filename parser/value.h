@@ -88,6 +88,11 @@ struct Shape {
     std::vector<Dressed<Plane<double>>> planes;
     Surface own; ///< the object's own: for those of its parts that have none
 
+    /// What a copy takes.
+    uint64_t bytes() const {
+        return spheres.size() * sizeof(spheres[0]) + ellipsoids.size() * sizeof(ellipsoids[0]) +
+               planes.size() * sizeof(planes[0]);
+    }
     /// Gives the own surface to the parts that lack one.
     void dress_parts();
 };

@@ -18,7 +18,7 @@ struct RenderTexts {
 };
 
 void add_scene(CLI::App& command, SceneTexts& texts) {
-    command.add_option("SCENE", texts.scene, "The scene file")->required();
+    command.add_option("SCENE", texts.scene, "The scene file, or - for standard input")->required();
 }
 
 CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
@@ -54,6 +54,8 @@ CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
 
 OutputName read_output(const RenderTexts& texts, const SceneOptions& scene) {
     const bool still = scene.animation.is_still;
+    if (texts.output.empty() && scene.scene == "-")
+        throw UsageError("-: a scene from standard input has no name; give -o OUT too");
     if (texts.output.empty())
         return OutputName(scene.scene.stem().string() + (still ? ".png" : ".%04d.png"));
     OutputName output(texts.output);

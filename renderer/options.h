@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line as checked values. Whatever can be found wrong without reading a file is found here.
 #pragma once
+#include "parser/scene_script.h"
 #include "renderer/animation.h"
 #include "renderer/color.h"
 #include "renderer/frame_renderer.h"
@@ -23,6 +24,7 @@ struct SceneOptions {
     std::vector<std::pair<std::string, std::string>> declares;
     uint32_t width = 640, height = 480; ///< pixels
     Animation animation;
+    EvaluationBudget budget;
 };
 
 struct DeviceChoice {

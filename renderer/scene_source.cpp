@@ -20,6 +20,7 @@ bool SceneSource::load(int64_t frame) {
                                       .image_width = options_.width,
                                       .image_height = options_.height,
                                       .declares = options_.declares,
+                                      .budget = options_.budget,
                                       .last_evaluation = options_.animation.frames.size() == 1,
                                       .debug = debug_};
     Diagnostics later; // what a later frame repeats is not said again

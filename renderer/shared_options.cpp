@@ -60,6 +60,13 @@ void add_scene_options(CLI::App& command, SceneTexts& texts) {
         ->type_name("DIR")
         ->expected(1)
         ->take_all();
+    command.add_option("--max-steps", texts.max_steps, "Refuse a scene that takes more tokens, in millions [500]")
+        ->type_name("N");
+    command
+        .add_option("--max-memory", texts.max_memory, "... more memory to evaluate [three quarters of the machine's]")
+        ->type_name("MB");
+    command.add_option("--max-seconds", texts.max_seconds, "... more time to evaluate, for each frame [600]")
+        ->type_name("S");
 }
 
 void add_device_options(CLI::App& command, DeviceTexts& texts) {
@@ -86,6 +93,12 @@ SceneOptions read_scene_options(const SceneTexts& texts) {
         options.declares.push_back(parse_declare(declare));
     std::tie(options.width, options.height) = parse_size(texts.size);
     options.animation = read_animation(texts);
+    if (!texts.max_steps.empty())
+        options.budget.steps = 1'000'000ull * parse_count("--max-steps", texts.max_steps, 1, 1'000'000'000);
+    if (!texts.max_memory.empty())
+        options.budget.bytes = uint64_t(parse_count("--max-memory", texts.max_memory, 1, 1'000'000'000)) << 20;
+    if (!texts.max_seconds.empty())
+        options.budget.seconds = parse_count("--max-seconds", texts.max_seconds, 1, 1'000'000);
     return options;
 }
 

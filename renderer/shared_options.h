@@ -12,6 +12,7 @@ namespace proxima {
 /// The options as the user wrote them; empty where absent.
 struct SceneTexts {
     std::string scene, size = "640x480", frames, subset, clock;
+    std::string max_steps, max_memory, max_seconds;
     std::vector<std::string> include_paths, declares;
     bool cyclic = false;
 };

@@ -61,7 +61,8 @@ TEST_CASE("arrays: a copy is one of its own, a parameter is the caller's") {
     CHECK(value_after("#macro Sum(P) P[0] + P[1] #end", "Sum(array[2] { 3, 4 })") == 7);
     CHECK(error_of(three + "#macro M() #local A[0] = 7; #end M()") ==
           "#local cannot change 'A', which is declared elsewhere");
-    CHECK(error_of("#declare A = array[2] { 1, 2 } #macro M(P) #declare A = array[1] { 3 } sphere { P, 1 } #end M(A[1])") ==
+    CHECK(error_of(
+              "#declare A = array[2] { 1, 2 } #macro M(P) #declare A = array[1] { 3 } sphere { P, 1 } #end M(A[1])") ==
           "the element that this parameter stood for is gone");
 }
 

@@ -5,6 +5,7 @@
 #include "tests/parser/folder.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 using namespace proxima;
 using namespace proxima::testing;
@@ -109,4 +110,31 @@ TEST_CASE("data files: handles are opened, closed and no values") {
     CHECK(output_of(folder, "#fopen F \"data.txt\" append") == "a scene writes no files");
     CHECK(output_of(folder, "#write (F, 1)") == "Proxima does not support #write");
     CHECK(output_of(folder, "#debug str(file_exists(\"data.txt\") + 10*file_exists(\"none.txt\"), 0, 0)") == "1");
+}
+
+TEST_CASE("data files: nothing outside of the scene's folder, and nothing but files, is opened") {
+    const Folder outside;
+    const std::string secret = outside.write("secret.txt", "1,2").string();
+    const Folder folder;
+    std::filesystem::create_symlink(secret, folder.path / "link.txt");
+    std::filesystem::create_symlink(outside.path, folder.path / "linked");
+    std::filesystem::create_symlink("/dev/zero", folder.path / "zero.txt");
+    std::filesystem::create_directory(folder.path / "folder.txt");
+    mkfifo((folder.path / "pipe.txt").c_str(), 0600);
+    const auto opening = [&](const std::string& name) {
+        return output_of(folder, "#fopen F \"" + name + "\" read #read (F, A) #debug str(A, 0, 0)");
+    };
+    const auto refused = [](const std::string& message, const char* reason) {
+        return message.find(reason) != std::string::npos;
+    };
+    const char* out = "outside of the scene's folder";
+    CHECK(refused(opening(secret), "give a path relative to the scene's folder"));
+    CHECK(refused(opening("/dev/zero"), "give a path relative to the scene's folder"));
+    CHECK(refused(opening("../" + outside.path.filename().string() + "/secret.txt"), out));
+    CHECK(refused(opening("link.txt"), out));
+    CHECK(refused(opening("linked/secret.txt"), out));
+    CHECK(refused(opening("zero.txt"), out));
+    CHECK(refused(opening("folder.txt"), "it is a folder"));
+    CHECK(refused(opening("pipe.txt"), "not a regular file"));
+    CHECK(refused(output_of(folder, "#declare E = file_exists(\"link.txt\");"), out));
 }

@@ -14,7 +14,7 @@ TEST_CASE("limits: a loop in which nothing changes is found at once") {
 
 TEST_CASE("limits: other endless loops end at the step limit, which names the loop") {
     EvaluationSettings settings;
-    settings.step_limit = 100'000;
+    settings.budget.steps = 100'000;
     const Evaluated result = evaluate("#declare I = 0;\n#while (1) #declare I = I + 1; #end", settings);
     CHECK(result.messages.find("scene:2:1: error: the scene takes more than 100000 steps to evaluate") == 0);
     CHECK(error_of("#for (I, 0, 1e12) #end", settings) == "the scene takes more than 100000 steps to evaluate");
@@ -51,4 +51,22 @@ TEST_CASE("limits: numbers that overflow a place are refused") {
     CHECK(error_of("sphere { 0, 1e308*10 }") == "this number is not finite");
     CHECK(error_of("sphere { 0, 1 pigment { rgb 1e308*10 } }") == "this color is not finite");
     CHECK(error_of("#for (I, 0, 1e308*10) #end") == "this number is not finite");
+}
+
+TEST_CASE("limits: memory and time end in a message") {
+    EvaluationSettings little;
+    little.budget.bytes = 256 << 20;
+    const std::string memory = "the scene takes more than 256 MB of memory to evaluate";
+    CHECK(error_of("#declare A = array[10000][10000];", little) == memory);
+    CHECK(error_of("#declare U = sphere { x, 1 } #for (I, 1, 40) #declare U = union { object { U } object { U } } #end",
+                   little) == memory);
+    CHECK(error_of("#declare S = \"x\"; #for (I, 1, 18) #declare S = concat(S, S) #end\n"
+                   "#declare A = array[10000]; #for (I, 0, 9999) #declare A[I] = concat(S, \"y\") #end",
+                   little) == memory);
+    CHECK(scene_of("#for (I, 1, 1000000) #declare S = str(I, 0, 0) #end sphere { 0, 1 }", little).spheres.size() == 1);
+
+    EvaluationSettings hurried;
+    hurried.budget.seconds = 0.05;
+    CHECK(error_of("#declare I = 0; #while (1) #declare I = I + 1; #end", hurried) ==
+          "the scene takes more than 0.05 seconds to evaluate");
 }

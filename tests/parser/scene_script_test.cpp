@@ -3,6 +3,7 @@
 #include "parser/scene_script.h"
 #include "tests/parser/folder.h"
 
+#include <cstdio>
 #include <doctest/doctest.h>
 #include <filesystem>
 
@@ -72,6 +73,23 @@ TEST_CASE("script: files that include each other end in a message") {
     script.evaluate({}, diagnostics);
     CHECK(diagnostics.all().at(0).message == "files include each other more than 100 deep");
     CHECK_THROWS_AS(SceneScript(folder.path / "none.scn", {}, diagnostics), FileError);
+}
+
+TEST_CASE("script: a scene from standard input finds its files in the working folder") {
+    const Folder folder;
+    folder.write("radius.inc", "#declare Radius = 3;");
+    const fs::path scene = folder.write("scene.txt", "#include \"radius.inc\" sphere { 0, Radius }");
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path);
+    REQUIRE(std::freopen(scene.c_str(), "r", stdin));
+    Diagnostics diagnostics;
+    SceneScript script("-", {}, diagnostics);
+    const SceneProgram program = script.evaluate({}, diagnostics);
+    fs::current_path(before);
+    CHECK(diagnostics.format(script.files()) == "");
+    REQUIRE(program.spheres.size() == 1);
+    CHECK(program.spheres[0].radius == 3);
+    CHECK(script.files().name(0) == "<stdin>");
 }
 
 TEST_CASE("script: every example is free of mistakes and warnings") {
