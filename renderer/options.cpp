@@ -3,6 +3,7 @@
 #include "renderer/compare_options.h"
 #include "renderer/errors.h"
 #include "renderer/option_values.h"
+#include "renderer/povray_ini.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,7 +19,7 @@ struct RenderTexts {
 };
 
 void add_scene(CLI::App& command, SceneTexts& texts) {
-    command.add_option("SCENE", texts.scene, "The scene file, or - for standard input")->required();
+    command.add_option("SCENE", texts.scene, "The scene file, - for standard input, or a POV-Ray .ini")->required();
 }
 
 CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
@@ -50,6 +51,34 @@ CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
                    "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic\n"
                    "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic --subset 31-60\n");
     return render;
+}
+
+/// Takes from a POV-Ray .ini what the command line does not give; `render` is nullptr for other commands.
+void apply_ini(const CLI::App& command, SceneTexts& texts, RenderTexts* render) {
+    if (!is_povray_ini(texts.scene))
+        return;
+    IniOptions ini = read_povray_ini(texts.scene);
+    const auto given = [&](const char* option) { return command.count(option) > 0; };
+    const auto take = [&](const char* option, std::string& text, std::string& value) {
+        if (!given(option) && !value.empty())
+            text = std::move(value);
+    };
+    texts.scene = ini.scene;
+    take("--size", texts.size, ini.size);
+    take("--clock", texts.clock, ini.clock);
+    if (!given("--frames")) {
+        texts.frames = ini.frames;
+        texts.cyclic = texts.cyclic || ini.cyclic;
+    }
+    texts.declares.insert(texts.declares.begin(), ini.declares.begin(), ini.declares.end()); // the last one counts
+    texts.include_paths.insert(texts.include_paths.end(), ini.include_paths.begin(), ini.include_paths.end());
+    if (!render)
+        return;
+    if (!given("--frames"))
+        take("--subset", texts.subset, ini.subset);
+    take("--output", render->output, ini.output);
+    take("--bits", render->bits, ini.bits);
+    take("--threads", render->device.threads, ini.threads);
 }
 
 OutputName read_output(const RenderTexts& texts, const SceneOptions& scene) {
@@ -147,12 +176,16 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(fmt::format("{}; `proxima --help` shows what can be written", error.what()));
     }
-    if (render->parsed())
+    if (render->parsed()) {
+        apply_ini(*render, render_texts.scene, &render_texts);
         return read_render_options(render_texts);
+    }
     if (compare->parsed())
         return read_compare_options(*compare, compare_texts);
-    if (check->parsed())
+    if (check->parsed()) {
+        apply_ini(*check, check_texts, nullptr);
         return CheckOptions{read_scene_options(check_texts)};
+    }
     if (!devices->parsed())
         throw UsageError("no command; write `proxima render SCENE`, or see `proxima --help`");
     return devices_options;
