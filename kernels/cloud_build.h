@@ -124,7 +124,10 @@ struct DistancePass {
     HD uint32_t item_count() const { return maps() * lines() * pieces(); }
 
     HD void operator()(uint32_t item) const {
-        const uint32_t line = item % lines(), part = item / lines() % pieces(), map = item / lines() / pieces();
+        // Neighbouring items touch neighbouring bytes: pieces of one line along x, the same piece of lines elsewhere.
+        const uint32_t map = item / lines() / pieces(), within = item % (lines() * pieces());
+        const uint32_t line = axis == 0 ? within / pieces() : within % lines();
+        const uint32_t part = axis == 0 ? within % pieces() : within / lines();
         const uint32_t width = uint32_t(cloud.size.x), height = uint32_t(cloud.size.y);
         const uint32_t first = axis == 0   ? line * width
                                : axis == 1 ? line % width + line / width * width * height

@@ -13,7 +13,7 @@ template <class Real> struct Ray {
 };
 
 /// 16 bytes in float. Its material stands in a separate array of the same order.
-template <class Real> struct Sphere {
+template <class Real> struct alignas(4 * sizeof(Real)) Sphere {
     Vec3<Real> center{Real(0)};
     Real radius = Real(1);
 };

@@ -16,9 +16,8 @@ template <class Real> struct GridView {
     Vec3<Real> inverse_voxel{Real(1)};
     Vec3<int32_t> size{0};
     Real inflation = Real(0); ///< added to every radius on registration; covers all rounding of the walk and the tests
-    std::span<uint32_t> starts;     ///< list of slot s: [starts[s] ... starts[s + 1]) of the two arrays below
+    std::span<uint32_t> starts;     ///< list of slot s: references[starts[s] ... starts[s + 1])
     std::span<uint32_t> references; ///< primitive ids, in no order
-    std::span<Sphere<Real>> listed; ///< the spheres of the references; the radius of what is no sphere is negative
     CloudView cloud;                ///< without bricks: every voxel has a slot of its own
 
     HD bool in_use() const { return size.x > 0; }

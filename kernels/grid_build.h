@@ -121,11 +121,8 @@ template <class Real> struct FillReferences {
 
     HD void operator()(uint32_t id) const {
         uint32_t* ends = grid.starts.data() + 1;
-        const Sphere<Real> copy = geometry.is_sphere(id) ? geometry.spheres[id] : Sphere<Real>{{}, Real(-1)};
         for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
-            const uint32_t r = atomic_add(&ends[grid.slot(x, y, z)], 1);
-            grid.references[r] = id;
-            grid.listed[r] = copy;
+            grid.references[atomic_add(&ends[grid.slot(x, y, z)], 1)] = id;
         });
     }
 };

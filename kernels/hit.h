@@ -57,9 +57,6 @@ template <class Real> struct Search {
     Real nearest;
     uint32_t passed = no_primitive; ///< of the primitives with a greater id, a hit at `nearest` itself counts too
 
-    /// What a copy's distance must exceed.
-    HD_INNER Real lowest() const { return passed == no_primitive ? nearest : just_below(nearest); }
-
     /// Distance from the based origin to a primitive, or infinity.
     HD_INNER Real distance_to(uint32_t id) const {
         const GeometryView<Real>& geometry = scene.geometry;
@@ -76,11 +73,6 @@ template <class Real> struct Search {
         return !scene.has_no_shadow ||
                !(scene.surfaces.materials[scene.geometry.material(id)].flags & material_no_shadow);
     }
-    /// Whether a listed sphere may count, told from its copy alone: it is met, and not beyond `farthest`. What is no
-    /// sphere may always count. (The ray's source, whose copy tells 0 from almost 0 by chance, is shown apart.)
-    HD_INNER bool may_meet(const Sphere<Real>& copy, Real farthest) const {
-        return intersect(copy, ray.ray, lowest(), scene.limits.min_half_chord2) <= farthest || copy.radius < 0;
-    }
 };
 
 /// Keeps the nearest of the hits that it is shown.
@@ -95,10 +87,6 @@ template <class Real> struct NearestHit {
         if ((t < best.t || ties) && !(casts_shadow_only && !search.casts_shadow(id)))
             best = {t, id};
     }
-    HD_INNER void meet(const Sphere<Real>& copy, const uint32_t& id) {
-        if (search.may_meet(copy, best.t))
-            meet(id);
-    }
     HD_INNER bool is_done(Real reached) const { return best.t <= reached; }
 };
 
@@ -111,10 +99,6 @@ template <class Real> struct AnyHit {
     HD_INNER void meet(uint32_t id) {
         if (!found && search.distance_to(id) < farthest)
             found = search.casts_shadow(id);
-    }
-    HD_INNER void meet(const Sphere<Real>& copy, const uint32_t& id) {
-        if (search.may_meet(copy, farthest))
-            meet(id);
     }
     HD_INNER bool is_done(Real reached) const { return found || farthest <= reached; }
 };

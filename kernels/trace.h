@@ -198,6 +198,9 @@ template <class Real, Features features> struct Tracer {
 
 /// One call per pixel of a wave: traces its samples and stores their sum.
 template <class Real, Features features> struct TracePixels {
+    /// Of 1 (110 registers), 8, 10 and 12 the fastest on an H100 for plain scenes in float: see tests/bench/NOTES.md.
+    static constexpr uint32_t blocks_together = features == Features::opaque && sizeof(Real) == 4 ? 10 : 1;
+
     SceneView<Real> scene;
     FilmView film;
     PendingView<Real, PathPrecision<Real, features>> pending; ///< for a wave's number of threads

@@ -14,8 +14,6 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
         visitor.meet(round + i);
     for (const uint32_t id : geometry.large)
         visitor.meet(id);
-    if (ray.source.primitive < round)
-        visitor.meet(ray.source.primitive);
     if (!ray.meets_bounds)
         return;
     if (scene.grid.in_use()) {

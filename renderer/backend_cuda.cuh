@@ -16,7 +16,20 @@
 
 namespace proxima {
 
-template <class Kernel> __global__ void run_kernel(uint32_t count, const __grid_constant__ Kernel kernel) {
+inline constexpr uint32_t block_threads = 128;
+
+/// A kernel that waits for memory more than it computes says how many of its blocks are to share a multiprocessor; its
+/// registers are then held down to that.
+template <class Kernel> consteval uint32_t blocks_together() {
+    if constexpr (requires { Kernel::blocks_together; })
+        return Kernel::blocks_together;
+    else
+        return 1;
+}
+
+template <class Kernel>
+__global__ void __launch_bounds__(block_threads, blocks_together<Kernel>())
+    run_kernel(uint32_t count, const __grid_constant__ Kernel kernel) {
     const uint32_t index = blockIdx.x * blockDim.x + threadIdx.x;
     if (index < count)
         kernel(index);
@@ -48,10 +61,10 @@ public:
 
     /// Calls kernel(i) for every i below `count`, in no order.
     template <class Kernel> void for_each(uint32_t count, const Kernel& kernel) {
-        constexpr uint32_t block = 128;
         if (count == 0)
             return;
-        run_kernel<<<uint32_t((uint64_t(count) + block - 1) / block), block, 0, stream_.get()>>>(count, kernel);
+        run_kernel<<<uint32_t((uint64_t(count) + block_threads - 1) / block_threads), block_threads, 0,
+                     stream_.get()>>>(count, kernel);
         cuda_check(cudaGetLastError());
 #ifndef NDEBUG
         synchronize(); // a fault is reported by the step that made it

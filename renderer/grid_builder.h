@@ -25,7 +25,7 @@ struct GridPlan {
 template <class Backend, class Real> class GridBuilder {
 public:
     explicit GridBuilder(Backend& backend)
-        : backend_(backend), cloud_(backend), starts_(backend), references_(backend), listed_(backend), large_(backend),
+        : backend_(backend), cloud_(backend), starts_(backend), references_(backend), large_(backend),
           large_count_(backend) {}
 
     /// Sets apart what is much larger than the rest, so that a ground sphere does not blow up the grid: what exceeds 32
@@ -57,8 +57,7 @@ public:
         const Box<Real>& bounds = scene.geometry.bounds;
         const Vec3<double> extent(bounds.upper - bounds.lower);
         const uint64_t budget =
-            (backend_.available_memory() + starts_.bytes() + references_.bytes() + listed_.bytes() + cloud_.bytes()) /
-            2;
+            (backend_.available_memory() + starts_.bytes() + references_.bytes() + cloud_.bytes()) / 2;
         GridRule rule;
         rule.voxels_per_primitive = plan.voxels_per_primitive;
         rule.most_voxels = std::min(rule.most_voxels, budget / 2 / sizeof(uint32_t));
@@ -72,8 +71,7 @@ public:
             if (plan.brick > 0)
                 scene.grid.cloud = cloud_.mark(scene, plan.metric);
             const ReferenceTotal total = count_references(scene);
-            const uint64_t most =
-                std::min<uint64_t>(most_references, budget / (sizeof(uint32_t) + sizeof(Sphere<Real>)));
+            const uint64_t most = std::min<uint64_t>(most_references, budget / sizeof(uint32_t));
             if (total.references <= most || scene.grid.cell_count() == 1) {
                 fill(scene, total);
                 for (int i = 0; i < 3; ++i)
@@ -151,11 +149,9 @@ private:
 
     void fill(SceneView<Real>& scene, const ReferenceTotal& total) {
         references_.resize(total.references);
-        listed_.resize(total.references);
         backend_.exclusive_scan(starts_.view().subspan(1));
         scene.grid.starts = starts_.view();
         scene.grid.references = references_.view();
-        scene.grid.listed = listed_.view();
         backend_.for_each(scene.geometry.round_count(), FillReferences<Real>{scene.grid, scene.geometry});
     }
 
@@ -163,7 +159,6 @@ private:
     CloudBuilder<Backend, Real> cloud_;
     Buffer<uint32_t> starts_;
     Buffer<uint32_t> references_;
-    Buffer<Sphere<Real>> listed_;
     Buffer<uint32_t> large_;
     Buffer<uint32_t> large_count_;
     uint32_t bounded_ = 0;
