@@ -11,11 +11,34 @@ namespace proxima {
 /// The curve of a scene's working space; the numbers of parser/scene_program.h's WorkingCurve.
 enum class FilmCurve : uint32_t { linear, power, srgb };
 
+/// Where the samples of a pixel lie.
+enum class SamplePattern : uint32_t {
+    sequence,        ///< the R2 sequence from the centre on
+    grid,            ///< the centres of `grid_side` by `grid_side` cells
+    center_and_grid, ///< the same after the pixel's centre
+    corner,          ///< the upper left corner
+};
+
+/// What is known of a sample of a film with marks.
+enum SampleMark : uint8_t { sample_unknown, sample_wanted, sample_known };
+
+/// Sums of samples. A film may be finer than the picture, or begin outside of it: its pixel (x, y) lies at origin +
+/// step * (x, y), in pixels of the picture.
 struct FilmView {
     std::span<glm::vec3> pixels; ///< rows from top to bottom
     uint32_t width = 0;
     uint32_t height = 0;
     uint32_t samples = 1;
+    uint32_t picture_width = 0;  ///< 0: the film's own
+    uint32_t picture_height = 0; ///< 0: the film's own
+    SamplePattern pattern = SamplePattern::sequence;
+    uint32_t grid_side = 1;
+    float origin = 0.0f;
+    float step = 1.0f;
+    std::span<uint8_t> marks; ///< a SampleMark a pixel: only what is wanted is traced; without marks, all
+
+    HD uint32_t columns() const { return picture_width ? picture_width : width; }
+    HD uint32_t rows() const { return picture_height ? picture_height : height; }
 };
 
 /// Pixels are traced in tiles of 8x4, so that neighbours in a warp or a cache see the same primitives.
@@ -48,12 +71,25 @@ template <class Real> HD SampleOffset<Real> sample_offset(uint32_t index) {
             Real((0x80000000u + index * 2447445414u) >> 8) * unit};
 }
 
+/// The same for the other patterns.
+template <class Real> HD SampleOffset<Real> sample_offset(const FilmView& film, uint32_t index) {
+    if (film.pattern == SamplePattern::sequence)
+        return sample_offset<Real>(index);
+    if (film.pattern == SamplePattern::corner)
+        return {Real(0), Real(0)};
+    if (film.pattern == SamplePattern::center_and_grid && index-- == 0)
+        return {Real(0.5), Real(0.5)};
+    return {(Real(index % film.grid_side) + Real(0.5)) / Real(film.grid_side),
+            (Real(index / film.grid_side) + Real(0.5)) / Real(film.grid_side)};
+}
+
 /// The camera ray through a sample of a pixel.
 template <class Real>
 HD Ray<Real> pixel_ray(const Camera<Real>& camera, const FilmView& film, PixelPosition pixel, uint32_t sample) {
-    const SampleOffset<Real> offset = sample_offset<Real>(sample);
-    return camera_ray(camera, (Real(pixel.x) + offset.x) / Real(film.width) - Real(0.5),
-                      Real(0.5) - (Real(pixel.y) + offset.y) / Real(film.height));
+    const SampleOffset<Real> offset = sample_offset<Real>(film, sample);
+    const Real x = Real(pixel.x) * Real(film.step) + Real(film.origin) + offset.x;
+    const Real y = Real(pixel.y) * Real(film.step) + Real(film.origin) + offset.y;
+    return camera_ray(camera, x / Real(film.columns()) - Real(0.5), Real(0.5) - y / Real(film.rows()));
 }
 
 HD inline float srgb_to_linear(float v) {

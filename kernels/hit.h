@@ -69,22 +69,23 @@ template <class Real> struct Search {
             return intersect(geometry.plane(id), ray.ray, beyond, scene.limits.min_cosine);
         return intersect(geometry.ellipsoid(id), ray.ray, beyond, scene.limits.min_half_chord2);
     }
-    HD bool casts_shadow(uint32_t id) const {
-        return !scene.has_no_shadow ||
-               !(scene.surfaces.materials[scene.geometry.material(id)].flags & material_no_shadow);
+    /// Whether a primitive's material has one of these bits of Material::flags.
+    HD bool is_one_of(uint32_t flags, uint32_t id) const {
+        return (scene.surfaces.materials[scene.geometry.material(id)].flags & flags) != 0;
     }
+    HD bool casts_shadow(uint32_t id) const { return !scene.has_no_shadow || !is_one_of(material_no_shadow, id); }
 };
 
 /// Keeps the nearest of the hits that it is shown.
 template <class Real> struct NearestHit {
     Search<Real> search;
-    bool casts_shadow_only; ///< leaves out materials without shadow
+    uint32_t hidden; ///< bits of Material::flags: leaves out materials with one of them
     Hit<Real> best;
 
     HD_INNER void meet(uint32_t id) {
         const Real t = search.distance_to(id);
         const bool ties = t == best.t && best.primitive != no_primitive && id < best.primitive;
-        if ((t < best.t || ties) && !(casts_shadow_only && !search.casts_shadow(id)))
+        if ((t < best.t || ties) && !(hidden && search.is_one_of(hidden, id)))
             best = {t, id};
     }
     HD_INNER bool is_done(Real reached) const { return best.t <= reached; }

@@ -14,15 +14,51 @@ struct PigmentColor {
     float transmit = 0.0f;
 };
 
-enum class PigmentKind : uint32_t { solid, checker };
+enum class PigmentKind : uint32_t {
+    solid,
+    checker,
+    // These make a number of a point, for a colour map. POV-Ray's gradient along an axis is the one along x of a space
+    // in which x is that axis.
+    gradient,
+    radial,
+    spherical,
+    planar,
+    cylindrical,
+    boxed,
+    onion,
+    leopard,
+};
 
-/// A colour, or a pattern of two. Patterns are evaluated at `transforms[transform]` applied to the hit point
-/// (the map world -> pattern space).
+constexpr bool has_color_map(PigmentKind kind) {
+    return kind >= PigmentKind::gradient;
+}
+
+enum class Wave : uint32_t { ramp, sine, triangle, scallop, cubic, poly };
+
+/// How a pattern's number becomes a place in its colour map: stops [first_stop, first_stop + stop_count).
+struct Pattern {
+    Wave wave = Wave::ramp;
+    float frequency = 1.0f;
+    float phase = 0.0f;
+    float exponent = 1.0f; ///< of Wave::poly
+    uint32_t first_stop = 0;
+    uint32_t stop_count = 0;
+};
+
+/// A colour map is a list of these, by rising value; colours in between are mixed.
+struct ColorStop {
+    float value = 0.0f;
+    PigmentColor color;
+};
+
+/// A colour, a pattern of two, or a pattern with a colour map. Patterns are evaluated at `transforms[transform]`
+/// applied to the hit point (the map world -> pattern space).
 struct Pigment {
     static constexpr uint32_t no_transform = 0xffffffffu;
 
     PigmentKind kind = PigmentKind::solid;
     uint32_t transform = no_transform;
+    uint32_t pattern = 0;      ///< index of its Pattern, when it has a colour map
     PigmentColor color;        ///< the colour, or the pattern's first one
     PigmentColor second_color; ///< the checker's second colour
 };
@@ -65,6 +101,10 @@ enum MaterialFlag : uint32_t {
     material_transparent = 1u << 0, ///< some pigment of it has filter or transmit other than 0
     material_reflective = 1u << 1,  ///< some finish of it has a reflection other than 0
     material_no_shadow = 1u << 2,
+    material_no_image = 1u << 3,      ///< seen by no ray from the camera, bent or not
+    material_no_reflection = 1u << 4, ///< seen by no ray that was mirrored
+    material_double_illuminate = 1u << 5,
+    material_hollow = 1u << 6, ///< fog is inside too
 };
 
 /// The layers [first_layer, first_layer + layer_count) from the lowest to the top one, and what is inside.

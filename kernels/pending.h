@@ -11,10 +11,11 @@ template <class Real, class Path> struct PathState {
     SourcedRay<Path> ray;
     Hit<Real> passed; ///< the last surface that the ray crossed without bending
     Vec3<Real> throughput{Real(1)};
-    Real weight = Real(1);       ///< POV-Ray's measure of importance; the path ends below adc_bailout
-    Real exponent = Real(1);     ///< the light of the path counts as light^exponent
-    uint32_t level = 0;          ///< reflections and refractions so far
-    uint32_t interior_count = 0; ///< while it waits
+    Real weight = Real(1);               ///< POV-Ray's measure of importance; the path ends below adc_bailout
+    Real exponent = Real(1);             ///< the light of the path counts as light^exponent
+    uint32_t level = 0;                  ///< reflections and refractions so far
+    uint32_t hidden = material_no_image; ///< the materials that the ray does not see, when the scene has such
+    uint32_t interior_count = 0;         ///< while it waits
 };
 
 /// One thread's stack. A mark is an entry that stands for a sum to come back to (see Tracer::begin).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A place in, the colour and the transparency of a layer there out. Formulas of POV-Ray 3.7.
 #pragma once
-#include "kernels/scene_view.h"
+#include "kernels/pattern.h"
 
 namespace proxima {
 
@@ -21,20 +21,26 @@ template <class Real> HD bool is_odd_checker_cell(const Vec3<Real>& p) {
     return cells - Real(2) * round_down(cells / Real(2)) != 0;
 }
 
+/// A pigment's colour at a point of the world.
+template <class Real>
+HD MixedColor<Real> pigment_color(const SurfacesView<Real>& surfaces, const Pigment& pigment, const Vec3<Real>& point) {
+    if (pigment.kind == PigmentKind::solid)
+        return mixed_color<Real>(pigment.color);
+    const bool moved = pigment.transform != Pigment::no_transform;
+    const Vec3<Real> seen = moved ? surfaces.transforms[pigment.transform].point(point) : point;
+    if (pigment.kind == PigmentKind::checker)
+        return mixed_color<Real>(is_odd_checker_cell(seen) ? pigment.second_color : pigment.color);
+    return pattern_color(surfaces, pigment, seen);
+}
+
 template <class Real>
 HD LayerColor<Real> layer_color(const SurfacesView<Real>& surfaces, const Pigment& pigment, const Vec3<Real>& point) {
-    const PigmentColor* color = &pigment.color;
-    if (pigment.kind == PigmentKind::checker) {
-        const bool moved = pigment.transform != Pigment::no_transform;
-        if (is_odd_checker_cell(moved ? surfaces.transforms[pigment.transform].point(point) : point))
-            color = &pigment.second_color;
-    }
+    const MixedColor<Real> color = pigment_color(surfaces, pigment, point);
     LayerColor<Real> layer;
-    layer.rgb = Vec3<Real>(color->rgb);
-    const Real filter = Real(color->filter), transmit = Real(color->transmit);
-    layer.transmission = layer.rgb * filter + Vec3<Real>(transmit);
-    layer.opacity = surfaces.legacy_transparency ? Real(1) - (filter * max_component(layer.rgb) + transmit)
-                                                 : Real(1) - filter - transmit;
+    layer.rgb = color.rgb;
+    layer.transmission = layer.rgb * color.filter + Vec3<Real>(color.transmit);
+    layer.opacity = surfaces.legacy_transparency ? Real(1) - (color.filter * max_component(layer.rgb) + color.transmit)
+                                                 : Real(1) - color.filter - color.transmit;
     return layer;
 }
 

@@ -2,6 +2,7 @@
 // A frame's scene as the kernels see it: views of device arrays and a few numbers. Nothing here owns memory.
 #pragma once
 #include "kernels/camera.h"
+#include "kernels/fog.h"
 #include "kernels/geometry.h"
 #include "kernels/grid.h"
 #include "kernels/light.h"
@@ -50,7 +51,8 @@ template <class Real> struct GeometryView : ShapesView<Real> {
     std::span<const uint32_t> sphere_materials;
     std::span<const uint32_t> large;
     Real large_radius = infinity<Real>;
-    Box<Real> bounds{Vec3<Real>(Real(1)), Vec3<Real>(Real(-1))}; ///< padded; empty when nothing is bounded
+    /// Padded. When nothing is bounded, a ray goes through it without being moved.
+    Box<Real> bounds{Vec3<Real>(infinity<Real>), Vec3<Real>(-infinity<Real>)};
 
     HD uint32_t material(uint32_t id) const {
         return is_sphere(id) ? sphere_materials[id] : is_plane(id) ? plane(id).material : ellipsoid(id).material;
@@ -75,6 +77,8 @@ template <class Real> struct SurfacesView {
     std::span<const Material> materials;
     std::span<const Layer> layers;
     std::span<const Pigment> pigments;
+    std::span<const Pattern> patterns;
+    std::span<const ColorStop> color_stops;
     std::span<const Finish> finishes;
     std::span<const Interior> interiors;
     std::span<const Affine<Real>> transforms;
@@ -87,14 +91,20 @@ template <class Real> struct SceneView {
     GridView<Real> grid;      ///< without cells: every bounded primitive is tested
     SurfacesView<Real> surfaces;
     std::span<const Light<Real>> lights;
+    std::span<const AreaLight<Real>> area_lights;
+    std::span<const AreaSample> area_samples;
+    std::span<const uint32_t> sky_pigments; ///< of the sky sphere, the last one in front
+    std::span<const Fog<Real>> fogs;
     Camera<double> camera;
     HitLimits<Real> limits;
     glm::vec3 background{0.0f};
+    glm::vec3 sky_emission{1.0f};
     glm::vec3 ambient_light{1.0f};
     float adc_bailout = 1.0f / 255.0f;
     uint32_t max_trace_level = 5;
     bool has_fading = false;    ///< some interior attenuates
     bool has_no_shadow = false; ///< some material casts no shadow
+    bool has_hidden = false;    ///< some material is no_image or no_reflection
 };
 
 } // namespace proxima

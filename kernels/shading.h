@@ -38,12 +38,12 @@ template <class Real> struct LightGeometry {
 template <class Real>
 HD Vec3<Real> reflected_light(const Finish& finish, const LayerColor<Real>& layer, const LightGeometry<Real>& g,
                               const Vec3<Real>& light, bool highlights) {
-    const Real cosine = glm::dot(g.normal, g.to_light);
+    const Real cosine = glm::dot(g.normal, g.to_light); // negative only for double_illuminate
     Real diffuse = Real(finish.diffuse) * layer.opacity;
     if (finish.brilliance != 1)
-        diffuse *= power(cosine, Real(finish.brilliance));
+        diffuse *= power(magnitude(cosine), Real(finish.brilliance));
     else
-        diffuse *= cosine;
+        diffuse *= magnitude(cosine);
     Vec3<Real> sum = layer.rgb * light * diffuse;
     if (!highlights || (finish.phong == 0 && finish.specular == 0))
         return sum;

@@ -23,7 +23,13 @@ template <bool filters, class Real, class Path>
 HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Path>& surface, const Vec3<Path>& to_light,
                              Real distance, InteriorList& interiors) {
     const Real margin = scene.limits.shadow_margin;
-    const SourcedRay<Path> ray = leave(shapes_of<Path>(scene), surface, to_light, surface.from_inside);
+    const bool inward = glm::dot(surface.outward, to_light) < 0; // as to an area light's places behind the horizon
+    const SourcedRay<Path> ray = leave(shapes_of<Path>(scene), surface, to_light, inward);
+    // The body itself stands in the way. POV-Ray's margin is a smaller one here: its shadow cache knows the body.
+    constexpr uint32_t lets_through = material_transparent | material_no_shadow;
+    if (inward && ray.source.exit > Path(scene.limits.nearest) && ray.source.exit < Path(distance - margin) &&
+        !(scene.surfaces.materials[surface.material].flags & lets_through))
+        return Vec3<Real>(Real(0));
     const BasedRay<Real> based = rebase(ray, scene.geometry.bounds);
     if constexpr (!filters) {
         return Vec3<Real>(Real(find_any(scene, based, margin, distance - margin) ? 0 : 1));
@@ -33,8 +39,9 @@ HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Path>& 
         if (scene.has_fading)
             inside.copy_from(interiors);
         Hit<Real> passed;
+        const uint32_t hidden = scene.has_no_shadow ? uint32_t(material_no_shadow) : 0u;
         for (;;) {
-            const Hit<Real> hit = find_nearest(scene, based, passed, margin, distance - margin, true);
+            const Hit<Real> hit = find_nearest(scene, based, passed, margin, distance - margin, hidden);
             if (hit.primitive == no_primitive)
                 return light;
             const Surface<Path> blocker = surface_at(scene, ray, based, hit);

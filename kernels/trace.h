@@ -2,10 +2,11 @@
 // The heart of a frame: a pixel in, its light out. Paths are followed in a loop, never by recursion: of several ways
 // on, one is taken and the others wait in a stack that the frame sizes by the scene (pending.h).
 #pragma once
+#include "kernels/area_light.h"
 #include "kernels/film.h"
 #include "kernels/layers.h"
 #include "kernels/pending.h"
-#include "kernels/shadow.h"
+#include "kernels/sky.h"
 
 namespace proxima {
 
@@ -30,6 +31,7 @@ template <class Real, Features features> struct Tracer {
     const SceneView<Real>& scene;
     PendingView<Real, Path> pending{};
     InteriorList interiors{}; ///< of the current path
+    NoiseStream noise{};
     Vec3<Real> sum{Real(0)};
 
     /// The light that comes along a ray.
@@ -52,14 +54,18 @@ template <class Real, Features features> struct Tracer {
             return false;
         const BasedRay<Real> based = rebase(path.ray, scene.geometry.bounds);
         const HitLimits<Real>& limits = scene.limits;
-        const Hit<Real> hit = find_nearest(scene, based, path.passed, limits.nearest, limits.farthest, false);
+        const uint32_t hidden = scene.has_hidden ? path.hidden : 0u;
+        const Hit<Real> hit = find_nearest(scene, based, path.passed, limits.nearest, limits.farthest, hidden);
+        const Vec3<Real> direction(path.ray.ray.direction);
+        if constexpr (transparent)
+            if (!scene.fogs.empty())
+                pass_fog(path, based, hit);
         if (hit.primitive == no_primitive) {
-            sum += path.throughput * Vec3<Real>(scene.background);
+            sum += path.throughput * sky_light(scene, direction);
             return false;
         }
         const Surface<Path> surface = surface_at(scene, path.ray, based, hit);
         const Surface<Real> seen = surface.template rounded<Real>();
-        const Vec3<Real> direction(path.ray.ray.direction);
         Real ior = Real(1);
         if constexpr (features != Features::opaque)
             ior = far_over_near_ior(scene, interiors, surface.primitive);
@@ -73,20 +79,41 @@ template <class Real, Features features> struct Tracer {
             return go_on(path, surface, layers, hit, distance_passed(based, path.passed, hit));
     }
 
+    /// Dims a path by the fog on its way to the next hit, or to where POV-Ray's rays end. There is none in objects that
+    /// are not hollow.
+    HD_RARE void pass_fog(State& path, const BasedRay<Real>& based, const Hit<Real>& hit) {
+        for (uint32_t i = 0; i < interiors.count; ++i)
+            if (!(scene.surfaces.materials[scene.geometry.material(interiors.ids[i])].flags & material_hollow))
+                return;
+        const Ray<Path>& ray = path.ray.ray;
+        const Path start = path.passed.primitive == no_primitive ? Path(0) : Path(based.offset) + Path(path.passed.t);
+        const Ray<Real> segment{Vec3<Real>(ray.origin + start * ray.direction), Vec3<Real>(ray.direction)};
+        const Real length = hit.primitive == no_primitive ? Real(2e10) : distance_passed(based, path.passed, hit);
+        const FogEffect<Real> fog = fog_along(scene.fogs, segment, length);
+        sum += path.throughput * fog.added;
+        path.throughput *= fog.left;
+    }
+
     /// What the surface sends back of one light.
     HD Vec3<Real> light_from(const Light<Real>& light, const Surface<Path>& surface, const LayerStack<Real>& layers,
                              const Vec3<Real>& eye_direction) {
-        const Vec3<Real> way = light.position - layers.surface.point;
-        const Real distance = glm::length(way);
-        const LightGeometry<Real> geometry{layers.surface.normal, way / distance, eye_direction};
-        if (!(glm::dot(geometry.normal, geometry.to_light) >= Real(1e-10)))
+        const LightRay<Real> ray = light_ray(light, layers.surface.point);
+        const LightGeometry<Real> geometry{layers.surface.normal, ray.direction, eye_direction};
+        if (!(glm::dot(geometry.normal, geometry.to_light) >= Real(1e-10)) &&
+            !(scene.surfaces.materials[surface.material].flags & material_double_illuminate))
             return Vec3<Real>(Real(0));
-        Vec3<Real> arriving = Vec3<Real>(light.color) * light_fade(light, distance);
-        if (!light.shadowless)
-            arriving *= light_arriving<transparent>(scene, surface, Vec3<Path>(geometry.to_light), distance, interiors);
+        Vec3<Real> arriving = Vec3<Real>(light.color) * light_share(light, layers.surface.point, ray);
         if (arriving == Vec3<Real>(Real(0)))
             return arriving;
-        return layers.reflected(geometry, arriving, !light.shadowless);
+        if (light.shadowless)
+            return layers.reflected(geometry, arriving, false);
+        if (light.area == Light<Real>::no_area)
+            arriving *= light_arriving<transparent>(scene, surface, Vec3<Path>(ray.direction), ray.distance, interiors);
+        else
+            arriving *= area_light_arriving<transparent>(scene, light, surface, arriving, interiors, noise);
+        if (arriving == Vec3<Real>(Real(0)))
+            return arriving;
+        return layers.reflected(geometry, arriving, true);
     }
 
     /// The transmitted ray waits longest, so that at most one set of a surface's rays waits for each level of a path.
@@ -135,6 +162,8 @@ template <class Real, Features features> struct Tracer {
         const bool bends = refracted(direction, surface.normal, ratio, bent);
         path.ray = leave(shapes_of<Path>(scene), surface, bent, surface.from_inside != bends);
         path.passed = {};
+        if (!bends)
+            path.hidden = material_no_reflection;
         ++path.level;
         if (bends)
             path.throughput *= transmission;
@@ -148,6 +177,7 @@ template <class Real, Features features> struct Tracer {
         const Real weight = path.weight;
         path.ray = leave(shapes_of<Path>(scene), surface, direction, surface.from_inside);
         path.passed = {};
+        path.hidden = material_no_reflection;
         ++path.level;
         bool goes_on = false;
         layers.for_each([&](const Finish& finish, const LayerColor<Real>& color, const Vec3<Real>& above) {
@@ -210,13 +240,21 @@ template <class Real, Features features> struct TracePixels {
         const PixelPosition pixel = tiled_pixel(first + index, film.width);
         if (pixel.x >= film.width || pixel.y >= film.height)
             return;
+        const uint64_t place = uint64_t(pixel.y) * film.width + pixel.x;
+        if (!film.marks.empty()) {
+            if (film.marks[place] != sample_wanted)
+                return;
+            film.marks[place] = sample_known;
+        }
         Tracer<Real, features> tracer{scene, pending};
         tracer.pending.thread = index;
         const auto camera = camera_in<PathPrecision<Real, features>>(scene.camera);
         Vec3<Real> total(Real(0));
-        for (uint32_t sample = 0; sample < film.samples; ++sample)
+        for (uint32_t sample = 0; sample < film.samples; ++sample) {
+            tracer.noise.state = (pixel.y * film.width + pixel.x) * film.samples + sample;
             total += tracer.light_along(pixel_ray(camera, film, pixel, sample));
-        film.pixels[uint64_t(pixel.y) * film.width + pixel.x] = glm::vec3(total);
+        }
+        film.pixels[place] = glm::vec3(total);
     }
 };
 

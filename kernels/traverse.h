@@ -28,11 +28,11 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
 /// from there: the next hit in order, at least `nearest` further on.
 template <class Real>
 HD Hit<Real> find_nearest(const SceneView<Real>& scene, const BasedRay<Real>& ray, const Hit<Real>& passed,
-                          Real nearest, Real farthest, bool casts_shadow_only) {
+                          Real nearest, Real farthest, uint32_t hidden) {
     const bool goes_on = passed.primitive != no_primitive;
     const Search<Real> search{scene, ray, goes_on ? passed.t + nearest : nearest - ray.offset,
                               goes_on && nearest == 0 ? passed.primitive : no_primitive};
-    NearestHit<Real> visitor{search, casts_shadow_only, {farthest - ray.offset, no_primitive}};
+    NearestHit<Real> visitor{search, hidden, {farthest - ray.offset, no_primitive}};
     visit_all(scene, ray, visitor);
     return visitor.best;
 }

@@ -56,6 +56,37 @@ HD inline float arc_cosine(float v) {
 HD inline double arc_cosine(double v) {
     return ::acos(v);
 }
+HD inline float arc_tangent(float v) {
+    return ::atanf(v);
+}
+HD inline double arc_tangent(double v) {
+    return ::atan(v);
+}
+HD inline float arc_tangent(float y, float x) {
+    return ::atan2f(y, x);
+}
+HD inline double arc_tangent(double y, double x) {
+    return ::atan2(y, x);
+}
+HD inline float sine(float v) {
+    return ::sinf(v);
+}
+HD inline double sine(double v) {
+    return ::sin(v);
+}
+HD inline float cosine(float v) {
+    return ::cosf(v);
+}
+HD inline double cosine(double v) {
+    return ::cos(v);
+}
+/// What is left of `v` after whole multiples of `divisor`, with the sign of `v`.
+HD inline float modulo(float v, float divisor) {
+    return ::fmodf(v, divisor);
+}
+HD inline double modulo(double v, double divisor) {
+    return ::fmod(v, divisor);
+}
 HD inline float square_root(float v) {
     return ::sqrtf(v);
 }

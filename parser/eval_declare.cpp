@@ -181,8 +181,12 @@ Value Evaluator::right_hand_side() {
         return material();
     if (accept(Word::camera))
         return std::make_shared<const Camera<double>>(camera());
-    if (accept(Word::light_source))
-        return std::make_shared<const Light<double>>(light_source());
+    if (accept(Word::color_map) || accept(Word::colour_map))
+        return color_map();
+    if (accept(Word::sky_sphere))
+        return std::make_shared<const SkySphere>(sky_sphere());
+    if (accept(Word::fog))
+        return std::make_shared<const Fog<double>>(fog());
     if (accept(Word::transform))
         return std::make_shared<const TransformPair>(transform_block());
     const size_t outer = std::exchange(bare_nesting_, nesting_);

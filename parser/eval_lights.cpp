@@ -1,37 +1,168 @@
 // SPDX-License-Identifier: Apache-2.0
-// light_source: point lights.
+// light_source: its kind, its area, and the object that shows it.
 #include "parser/evaluator.h"
 
-namespace proxima {
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
 
-/// `light_source { ... }` after its word.
-Light<double> Evaluator::light_source() {
-    expect(TokenKind::left_brace);
-    Light<double> light;
-    if (const LightRef* declared = identifier<LightRef>()) {
-        light = **declared;
+namespace proxima {
+namespace {
+
+double cosine_of(double degrees) {
+    return std::cos(degrees * std::numbers::pi / 180);
+}
+
+} // namespace
+
+/// `light_source { ...` after its brace, to the closing one: puts a light into the shape, and what it looks like.
+void Evaluator::light_source(Shape& shape) {
+    if (const ShapeRef* declared = identifier<ShapeRef>(); declared && (*declared)->lights.size() == 1) {
+        shape = **declared;
         advance();
     } else {
-        light.position = vector();
+        LightSource source;
+        source.light.position = vector();
         accept(TokenKind::comma);
-        light.color = rgb_color();
+        source.light.color = rgb_color();
+        shape.lights.push_back(source);
     }
     for (;;) {
+        Light<double>& light = shape.lights.front().light;
         TransformPair transform;
-        if (accept(Word::shadowless))
-            light.shadowless = 1;
-        else if (accept(Word::fade_distance))
+        const Token& token = peek();
+        if (accept(Word::fade_distance)) {
             light.fade_distance = float(number());
-        else if (accept(Word::fade_power))
+        } else if (accept(Word::fade_power)) {
             light.fade_power = float(number());
-        else if (transform_item(transform))
-            light.position = transform.map.point(light.position);
-        else
+        } else if (accept(Word::looks_like)) {
+            looks_like(shape);
+        } else if (accept(Word::media_interaction)) {
+            optional_flag(true); // matters to media alone
+        } else if (accept(Word::media_attenuation)) {
+            if (optional_flag(true))
+                fail(token, "Proxima does not support 'media_attenuation'",
+                     "leave it out: fog does not dim the way from a light");
+        } else if (transform_item(transform)) {
+            transform_object(shape, transform);
+        } else if (!light_kind_item(shape.lights.front()) && !area_light_item(shape.lights.front())) {
             break;
+        }
     }
     if (!accept(TokenKind::right_brace))
-        fail_unexpected("shadowless, fade_distance, fade_power, a transform or '}'");
-    return light;
+        fail_unexpected(
+            "spotlight, cylinder, parallel, area_light, shadowless, fade_distance, fade_power, looks_like, a "
+            "transform or '}'");
+    std::optional<AreaLight<double>>& area = shape.lights.front().area;
+    if (!area)
+        return;
+    if (area->circular && (area->columns < 2 || area->rows < 2))
+        fail(cursor_[-1], "a circular area light needs more than one place along each axis");
+}
+
+/// What shape the light's beam has.
+bool Evaluator::light_kind_item(LightSource& source) {
+    Light<double>& light = source.light;
+    const Token& token = peek();
+    const auto only_in_beams = [&] {
+        if (light.kind == LightKind::point)
+            fail(token, fmt::format("'{}' stands in a point light", spelling(token)),
+                 "write spotlight or cylinder before it");
+    };
+    const auto width = [&] {
+        const double value = number();
+        return light.kind == LightKind::spot ? cosine_of(value) : value;
+    };
+    if (accept(Word::spotlight)) {
+        light.kind = LightKind::spot;
+        light.shadowless = 0;
+        light.radius = cosine_of(30);
+        light.falloff = cosine_of(45);
+        light.tightness = 0;
+    } else if (accept(Word::cylinder)) {
+        light.kind = LightKind::cylinder;
+        light.shadowless = 0;
+        light.radius = 0.75;
+        light.falloff = 1;
+        light.tightness = 0;
+    } else if (accept(Word::shadowless)) { // another kind of light to POV-Ray
+        light.kind = LightKind::point;
+        light.shadowless = 1;
+    } else if (accept(Word::parallel)) {
+        light.parallel = 1;
+    } else if (accept(Word::point_at)) {
+        light.point_at = vector();
+    } else if (accept(Word::radius)) {
+        only_in_beams();
+        light.radius = width();
+    } else if (accept(Word::falloff)) {
+        only_in_beams();
+        light.falloff = width();
+    } else if (accept(Word::tightness)) {
+        only_in_beams();
+        light.tightness = number();
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool Evaluator::area_light_item(LightSource& source) {
+    std::optional<AreaLight<double>>& area = source.area;
+    const Token& token = peek();
+    if (accept(Word::area_light)) {
+        AreaLight<double> given = area.value_or(AreaLight<double>{});
+        given.axis1 = vector();
+        accept(TokenKind::comma);
+        given.axis2 = vector();
+        for (uint32_t* places : {&given.columns, &given.rows}) {
+            accept(TokenKind::comma);
+            const Token& at = peek();
+            const double count = std::trunc(number());
+            if (!(count >= 1 && count <= AreaLight<double>::most))
+                fail(at, fmt::format("an area light has 1 to {} places along an axis, this one {}",
+                                     AreaLight<double>::most, count));
+            *places = uint32_t(count);
+        }
+        area = given;
+        return true;
+    }
+    const bool belongs =
+        peek_is(Word::adaptive) || peek_is(Word::circular) || peek_is(Word::orient) || peek_is(Word::jitter);
+    if (!belongs)
+        return false;
+    advance();
+    if (!area)
+        fail(token, fmt::format("'{}' stands in a light without area", spelling(token)), "write area_light before it");
+    switch (Word(token.index)) {
+    case Word::adaptive: {
+        const double level = std::trunc(number());
+        area->adaptive = level >= 8 ? AreaLight<double>::every_place : level > 0 ? uint32_t(level) : 0u;
+        break;
+    }
+    case Word::orient:
+        area->orient = area->circular = 1; // POV-Ray makes such a light circular
+        break;
+    case Word::circular:
+        area->circular = 1;
+        break;
+    default:
+        area->jitter = 1;
+    }
+    return true;
+}
+
+/// `looks_like { object }` after its word: an object around the origin, moved to the light, that casts no shadow.
+void Evaluator::looks_like(Shape& shape) {
+    expect(TokenKind::left_brace);
+    if (!starts_shape())
+        fail_unexpected("an object");
+    Shape look = object();
+    look.own.flags |= material_no_shadow;
+    look.dress_parts();
+    transform_object(look, translation(shape.lights.front().light.position));
+    expect(TokenKind::right_brace);
+    shape.append(look);
 }
 
 } // namespace proxima

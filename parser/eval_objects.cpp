@@ -43,6 +43,9 @@ Shape Evaluator::object() {
     case Word::union_:
         union_parts(shape);
         break;
+    case Word::light_source:
+        light_source(shape);
+        return shape;
     default:
         object_reference(shape);
     }
@@ -83,7 +86,6 @@ void Evaluator::plane(Shape& shape) {
 }
 
 void Evaluator::union_parts(Shape& shape) {
-    const auto append = [](auto& parts, const auto& more) { parts.insert(parts.end(), more.begin(), more.end()); };
     if (const ShapeRef* declared = identifier<ShapeRef>()) {
         shape = **declared;
         advance();
@@ -93,9 +95,7 @@ void Evaluator::union_parts(Shape& shape) {
     while (starts_object()) {
         Shape part = object();
         part.dress_parts();
-        append(shape.spheres, part.spheres);
-        append(shape.ellipsoids, part.ellipsoids);
-        append(shape.planes, part.planes);
+        shape.append(part);
         any = true;
     }
     if (!any)
@@ -138,10 +138,7 @@ void Evaluator::object_modifiers(Shape& shape, Word kind) {
                 own.texture = layered(own.texture, value.texture);
             if (value.interior != Surface::none)
                 own.interior = value.interior;
-        } else if (accept(Word::no_shadow)) {
-            own.no_shadow = true;
-        } else if (accept(Word::hollow)) {
-            optional_flag(true); // matters to media and fog alone
+        } else if (flag_item(own)) {
         } else if (kind == Word::union_ && accept(Word::split_union)) {
             number(); // matters to POV-Ray's bounding boxes alone
         } else if (transform_item(transform)) {
@@ -150,6 +147,27 @@ void Evaluator::object_modifiers(Shape& shape, Word kind) {
             fail_unexpected("texture, pigment, finish, interior, a transform or '}'");
         }
     }
+}
+
+/// Reads a word that turns something on or off for the object, if the next token is one.
+bool Evaluator::flag_item(Surface& surface) {
+    if (accept(Word::no_shadow)) {
+        surface.flags |= material_no_shadow;
+    } else if (accept(Word::no_image)) {
+        surface.flags |= material_no_image;
+    } else if (accept(Word::no_reflection)) {
+        surface.flags |= material_no_reflection;
+    } else if (accept(Word::double_illuminate)) {
+        surface.flags |= material_double_illuminate;
+    } else if (accept(Word::hollow)) {
+        surface.says_hollow = true;
+        surface.flags &= ~uint32_t(material_hollow);
+        if (optional_flag(true))
+            surface.flags |= material_hollow;
+    } else {
+        return false;
+    }
+    return true;
 }
 
 /// Takes one sphere of the run under the cursor.

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// background, global_settings, and what POV-Ray derives from #version and assumed_gamma.
+// global_settings, and what POV-Ray derives from #version and assumed_gamma.
 #include "parser/evaluator.h"
 
 #include <cmath>
 #include <fmt/format.h>
 
 namespace proxima {
-
-void Evaluator::background() {
-    expect(TokenKind::left_brace);
-    const Terms terms = color();
-    expect(TokenKind::right_brace);
-    // Without an alpha channel, POV-Ray 3.7 mixes a transmitting background with black.
-    const double opaque = 1 - terms.value[4];
-    for (int i = 0; i < 3; ++i)
-        builder_.program().background[i] = float(terms.value[i] * opaque);
-}
 
 void Evaluator::global_settings() {
     SceneProgram& scene = builder_.program();

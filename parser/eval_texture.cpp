@@ -6,14 +6,6 @@
 #include <fmt/format.h>
 
 namespace proxima {
-namespace {
-
-PigmentColor pigment_color(const Terms& terms) {
-    const double* v = terms.value;
-    return {{float(v[0]), float(v[1]), float(v[2])}, float(v[3]), float(v[4])};
-}
-
-} // namespace
 
 /// `pigment { ... }` after its word; `base` is what the block changes.
 PigmentRef Evaluator::pigment(uint32_t base) {
@@ -31,26 +23,31 @@ PigmentRef Evaluator::pigment(uint32_t base) {
         value.pigment.color.rgb = {0, 0, 1}; // POV-Ray's checker is blue and green unless told
         value.pigment.second_color.rgb = {0, 1, 0};
         if (starts_color()) {
-            value.pigment.color = pigment_color(color());
+            value.pigment.color = surface_color(color());
             accept(TokenKind::comma);
             if (starts_color())
-                value.pigment.second_color = pigment_color(color());
+                value.pigment.second_color = surface_color(color());
         }
+    } else if (pattern_kind(value)) {
+        expected = "color_map, frequency, phase, a wave, a transform or '}'";
     } else if (starts_color()) {
         value = {};
-        value.pigment.color = pigment_color(color());
+        value.pigment.color = surface_color(color());
     } else {
-        expected = "a color (like rgb <1, 0, 0>), checker, a transform or '}'";
+        expected = "a color (like rgb <1, 0, 0>), a pattern, a transform or '}'";
     }
     TransformPair transform;
     for (;;) {
         if (accept(Word::quick_color) || accept(Word::quick_colour))
             color(); // used by POV-Ray's previews alone
+        else if (has_color_map(value.pigment.kind) && pattern_item(value))
+            continue;
         else if (!transform_item(transform))
             break;
     }
     if (!accept(TokenKind::right_brace))
         fail_unexpected(expected);
+    complete_pattern(value);
     value.pattern_from_world = compose(value.pattern_from_world, transform.inverse);
     return {builder_.add_pigment(value)};
 }

@@ -3,6 +3,7 @@
 #include "parser/evaluator.h"
 #include "parser/standard_includes.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace proxima {
@@ -77,8 +78,9 @@ void Evaluator::fail_unexpected(const std::string& expected) {
     case TokenKind::sphere_run:
         fail(token, "unexpected 'sphere'", hint);
     case TokenKind::word:
-        if (token.index >= uint32_t(Word::first_unsupported)) {
-            const std::string_view advice = word_advice(text);
+        // Some words are supported in one place and refused in all others: cylinder.
+        if (const std::string_view advice = word_advice(text);
+            token.index >= uint32_t(Word::first_unsupported) || !advice.empty()) {
             fail(token, fmt::format("Proxima does not support '{}'", text),
                  advice.empty() ? hint : std::string(advice));
         }
@@ -98,6 +100,10 @@ void Evaluator::fail_unexpected(const std::string& expected) {
 
 void Evaluator::fail_refused(const Token& token, std::string_view name, const Refused& refused) {
     const std::string_view advice = word_advice(refused.word);
+    const auto supported = reserved_words().first(size_t(Word::first_unsupported));
+    if (advice.empty() && refused.word != "write" && std::ranges::find(supported, refused.word) != supported.end())
+        fail(token, fmt::format("Proxima does not know '{}' of the standard files", name),
+             fmt::format("declare it in the scene, with its {}", refused.word));
     fail(token, fmt::format("'{}' needs '{}', which Proxima does not support", name, refused.word),
          advice.empty() ? "declare something of your own instead" : std::string(advice));
 }

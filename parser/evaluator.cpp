@@ -65,10 +65,12 @@ bool Evaluator::item() {
         if (has_camera_)
             warn(token, "this camera replaces the one before it");
         has_camera_ = true;
-    } else if (accept(Word::light_source)) {
-        builder_.program().lights.push_back(light_source());
     } else if (accept(Word::background)) {
         background();
+    } else if (accept(Word::sky_sphere)) {
+        builder_.program().sky = sky_sphere();
+    } else if (accept(Word::fog)) {
+        builder_.program().fogs.push_back(fog());
     } else if (accept(Word::global_settings)) {
         global_settings();
     } else {

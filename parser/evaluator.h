@@ -247,6 +247,12 @@ private:
     uint32_t with_finish(uint32_t texture);
     uint32_t layered(uint32_t below, uint32_t above);
 
+    // eval_pattern.cpp
+    bool pattern_kind(PigmentValue& value);
+    bool pattern_item(PigmentValue& value);
+    void complete_pattern(PigmentValue& value);
+    ColorMapRef color_map();
+
     // eval_transform.cpp
     bool transform_item(TransformPair& result);
     TransformPair transform_block();
@@ -262,14 +268,20 @@ private:
     void union_parts(Shape& shape);
     void object_reference(Shape& shape);
     void object_modifiers(Shape& shape, Word kind);
+    bool flag_item(Surface& surface);
     void transform_object(Shape& shape, const TransformPair& transform);
     void emit_sphere_run();
     uint32_t literal_texture(uint32_t surface);
 
-    // eval_camera.cpp, eval_lights.cpp, eval_settings.cpp
+    // eval_camera.cpp, eval_lights.cpp, eval_settings.cpp, eval_sky.cpp
     Camera<double> camera();
-    Light<double> light_source();
+    void light_source(Shape& shape);
+    bool light_kind_item(LightSource& source);
+    bool area_light_item(LightSource& source);
+    void looks_like(Shape& shape);
     void background();
+    SkySphere sky_sphere();
+    Fog<double> fog();
     void global_settings();
     void assumed_gamma();
     double encode_working(double linear);

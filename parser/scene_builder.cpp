@@ -2,6 +2,7 @@
 #include "parser/scene_builder.h"
 
 #include "parser/affine_math.h"
+#include "parser/area_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ bool nonzero(const glm::vec3& v) {
     return v.x != 0 || v.y != 0 || v.z != 0;
 }
 
-bool lets_light_through(const PigmentColor& color) {
+bool is_transparent(const PigmentColor& color) {
     return color.filter != 0 || color.transmit != 0;
 }
 
@@ -40,6 +41,8 @@ SceneBuilder::SceneBuilder() {
 uint32_t SceneBuilder::add_pigment(const PigmentValue& value) {
     Pigment pigment = value.pigment;
     pigment.transform = Pigment::no_transform;
+    if (has_color_map(pigment.kind))
+        pigment.pattern = patterns_.intern(program_.patterns, value.pattern);
     const Affine<double> identity;
     if (pigment.kind != PigmentKind::solid &&
         (value.pattern_from_world.linear != identity.linear || value.pattern_from_world.offset != identity.offset))
@@ -48,7 +51,9 @@ uint32_t SceneBuilder::add_pigment(const PigmentValue& value) {
 }
 
 PigmentValue SceneBuilder::pigment(uint32_t index) const {
-    PigmentValue value{program_.pigments[index], {}};
+    PigmentValue value{program_.pigments[index], {}, {}};
+    if (has_color_map(value.pigment.kind))
+        value.pattern = program_.patterns[value.pigment.pattern];
     if (value.pigment.transform != Pigment::no_transform)
         value.pattern_from_world = program_.transforms[value.pigment.transform];
     return value;
@@ -104,8 +109,7 @@ const SceneBuilder::LayerRange& SceneBuilder::layer_range(uint32_t index) {
     for (const Layer& layer : layers) {
         const Pigment& pigment = program_.pigments[layer.pigment];
         const Finish& finish = program_.finishes[layer.finish];
-        if (lets_light_through(pigment.color) ||
-            (pigment.kind != PigmentKind::solid && lets_light_through(pigment.second_color)))
+        if (lets_light_through(pigment))
             range.flags |= material_transparent;
         if (nonzero(finish.reflection_min) || nonzero(finish.reflection_max))
             range.flags |= material_reflective;
@@ -120,8 +124,42 @@ uint32_t SceneBuilder::material(const Surface& surface, uint32_t default_texture
     material.first_layer = range.first;
     material.layer_count = range.count;
     material.interior = surface.interior == Surface::none ? 0 : surface.interior;
-    material.flags = range.flags | (surface.no_shadow ? uint32_t(material_no_shadow) : 0u);
+    material.flags = range.flags | surface.flags;
     return materials_.intern(program_.materials, material);
+}
+
+bool SceneBuilder::lets_light_through(const Pigment& pigment) const {
+    if (pigment.kind == PigmentKind::solid)
+        return is_transparent(pigment.color);
+    if (pigment.kind == PigmentKind::checker)
+        return is_transparent(pigment.color) || is_transparent(pigment.second_color);
+    const Pattern& pattern = program_.patterns[pigment.pattern];
+    const auto first = program_.color_stops.begin() + pattern.first_stop;
+    return std::any_of(first, first + pattern.stop_count,
+                       [](const ColorStop& stop) { return is_transparent(stop.color); });
+}
+
+ColorMapRef SceneBuilder::add_color_map(std::span<const ColorStop> stops) {
+    const ColorMapRef map{uint32_t(program_.color_stops.size()), uint32_t(stops.size())};
+    program_.color_stops.insert(program_.color_stops.end(), stops.begin(), stops.end());
+    return map;
+}
+
+void SceneBuilder::add_light(const LightSource& source) {
+    Light<double> light = source.light;
+    const Vec3<double> way = light.point_at - light.position;
+    if (const double length = glm::length(way); length > 0)
+        light.direction = way / length;
+    if (source.area) {
+        AreaLight<double> area = *source.area;
+        area.first_sample = uint32_t(program_.area_samples.size());
+        if (area.adaptive == AreaLight<double>::every_place)
+            append_area_samples(program_.area_samples, area.columns, area.rows);
+        area.sample_count = uint32_t(program_.area_samples.size()) - area.first_sample;
+        light.area = uint32_t(program_.area_lights.size());
+        program_.area_lights.push_back(area);
+    }
+    program_.lights.push_back(light);
 }
 
 void SceneBuilder::reserve_spheres(size_t count) {
@@ -140,6 +178,8 @@ void SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
     }
     for (const auto& [plane, surface] : shape.planes)
         program_.planes.push_back({plane.normal, plane.distance, material(surface, default_texture)});
+    for (const LightSource& light : shape.lights)
+        add_light(light);
 }
 
 void transform_shape(Shape& shape, const Affine<double>& map, const Affine<double>& inverse, SceneBuilder& builder) {
@@ -160,6 +200,14 @@ void transform_shape(Shape& shape, const Affine<double>& map, const Affine<doubl
         move_surface(surface);
     }
     move_surface(shape.own);
+    for (LightSource& source : shape.lights) {
+        source.light.position = map.point(source.light.position);
+        source.light.point_at = map.point(source.light.point_at);
+        if (source.area) {
+            source.area->axis1 = map.direction(source.area->axis1);
+            source.area->axis2 = map.direction(source.area->axis2);
+        }
+    }
     double factor = 1;
     const bool similarity = is_similarity(map, factor);
     for (auto& [sphere, surface] : shape.spheres) {

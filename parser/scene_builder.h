@@ -15,6 +15,7 @@ namespace proxima {
 struct PigmentValue {
     Pigment pigment;
     Affine<double> pattern_from_world; ///< of patterns
+    Pattern pattern;                   ///< of those with a colour map
 };
 
 class SceneBuilder {
@@ -24,6 +25,7 @@ public:
     SceneProgram& program() { return program_; }
 
     uint32_t add_pigment(const PigmentValue& value);
+    ColorMapRef add_color_map(std::span<const ColorStop> stops);
     uint32_t add_finish(const Finish& finish) { return finishes_.intern(program_.finishes, finish); }
     uint32_t add_interior(const Interior& interior) { return interiors_.intern(program_.interiors, interior); }
     /// Layers from the lowest to the top one.
@@ -60,6 +62,8 @@ private:
     };
 
     bool patterned(uint32_t texture) const;
+    bool lets_light_through(const Pigment& pigment) const;
+    void add_light(const LightSource& source);
     const LayerRange& layer_range(uint32_t texture);
 
     SceneProgram program_;
@@ -67,6 +71,7 @@ private:
     std::vector<LayerRange> layer_ranges_; // of textures_
     InternTable<Texture> texture_table_;
     InternTable<Pigment> pigments_;
+    InternTable<Pattern> patterns_;
     InternTable<Finish> finishes_;
     InternTable<Interior> interiors_;
     InternTable<Material> materials_;

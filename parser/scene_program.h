@@ -3,6 +3,7 @@
 // of the scene file. Nothing here knows about text, devices or images.
 #pragma once
 #include "kernels/camera.h"
+#include "kernels/fog.h"
 #include "kernels/geometry.h"
 #include "kernels/light.h"
 #include "kernels/material.h"
@@ -20,6 +21,12 @@ enum class WorkingCurve : uint32_t {
     display, ///< neither #version 3.7 nor assumed_gamma: the numbers go to the file as they are; taken as sRGB-encoded
 };
 
+/// What surrounds the scene, in front of the background: pigments, the last one in front, seen at unit directions.
+struct SkySphere {
+    std::vector<uint32_t> pigments;
+    glm::vec3 emission{1.0f};
+};
+
 struct SceneProgram {
     // Geometry. Spheres are two arrays of one length; ids count spheres, then ellipsoids, then planes.
     std::vector<Sphere<double>> spheres;
@@ -31,13 +38,19 @@ struct SceneProgram {
     std::vector<Material> materials;
     std::vector<Layer> layers;
     std::vector<Pigment> pigments;
+    std::vector<Pattern> patterns;
+    std::vector<ColorStop> color_stops; ///< colour maps, one behind the other
     std::vector<Finish> finishes;
     std::vector<Interior> interiors;
     std::vector<Affine<double>> transforms; ///< world -> pattern space, for Pigment::transform
 
     std::vector<Light<double>> lights;
+    std::vector<AreaLight<double>> area_lights;
+    std::vector<AreaSample> area_samples;
     Camera<double> camera;
 
+    SkySphere sky;
+    std::vector<Fog<double>> fogs;
     glm::vec3 background{0.0f}; ///< already scaled by 1 - transmit where POV-Ray does
     glm::vec3 ambient_light{1.0f};
     uint32_t max_trace_level = 5; ///< 1 ... 256

@@ -8,7 +8,8 @@ void Surface::inherit(const Surface& outer) {
         texture = outer.texture;
     if (interior == none)
         interior = outer.interior;
-    no_shadow = no_shadow || outer.no_shadow;
+    flags |= says_hollow ? outer.flags & ~uint32_t(material_hollow) : outer.flags;
+    says_hollow = says_hollow || outer.says_hollow;
 }
 
 void Shape::dress_parts() {
@@ -18,6 +19,14 @@ void Shape::dress_parts() {
         part.surface.inherit(own);
     for (auto& part : planes)
         part.surface.inherit(own);
+}
+
+void Shape::append(const Shape& other) {
+    const auto append = [](auto& parts, const auto& more) { parts.insert(parts.end(), more.begin(), more.end()); };
+    append(spheres, other.spheres);
+    append(ellipsoids, other.ellipsoids);
+    append(planes, other.planes);
+    append(lights, other.lights);
 }
 
 ValueKind kind_of(const Value& value) {
@@ -38,7 +47,9 @@ const char* value_description(const Value& value) {
         const char* operator()(TextureRef) const { return "a texture"; }
         const char* operator()(const MaterialValue&) const { return "a material"; }
         const char* operator()(const ShapeRef&) const { return "an object"; }
-        const char* operator()(const LightRef&) const { return "a light source"; }
+        const char* operator()(ColorMapRef) const { return "a color map"; }
+        const char* operator()(const SkyRef&) const { return "a sky sphere"; }
+        const char* operator()(const FogRef&) const { return "a fog"; }
         const char* operator()(const CameraRef&) const { return "a camera"; }
         const char* operator()(const TransformRef&) const { return "a transform"; }
         const char* operator()(const MacroRef&) const { return "a macro"; }

@@ -4,12 +4,15 @@
 #pragma once
 #include "kernels/camera.h"
 #include "kernels/light.h"
+#include "kernels/material.h"
 #include "kernels/vector_math.h"
 #include "parser/affine_math.h"
+#include "parser/scene_program.h"
 
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -45,6 +48,12 @@ struct Terms {
     }
 };
 
+/// The terms of a colour.
+inline PigmentColor surface_color(const Terms& terms) {
+    const double* v = terms.value;
+    return {{float(v[0]), float(v[1]), float(v[2])}, float(v[3]), float(v[4])};
+}
+
 // Indices into SceneProgram, or into a table of the SceneBuilder (textures).
 struct PigmentRef {
     uint32_t index = 0;
@@ -58,6 +67,11 @@ struct InteriorRef {
 struct TextureRef {
     uint32_t index = 0;
 };
+/// A range of SceneProgram::color_stops.
+struct ColorMapRef {
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
 
 /// What a primitive wears. `none` is what a surrounding union or the default may still give.
 struct Surface {
@@ -65,7 +79,8 @@ struct Surface {
 
     uint32_t texture = none;
     uint32_t interior = none;
-    bool no_shadow = false;
+    uint32_t flags = 0;       ///< bits of Material::flags that words like no_shadow set
+    bool says_hollow = false; ///< `hollow` or `hollow off` was written: no surrounding union changes it
 
     /// Fills in what is missing here.
     void inherit(const Surface& outer);
@@ -81,11 +96,17 @@ template <class Geometry> struct Dressed {
     Surface surface;
 };
 
-/// An object: a sphere, a plane, or a union of any number of them, flat.
+struct LightSource {
+    Light<double> light; ///< its `direction` is not set yet
+    std::optional<AreaLight<double>> area;
+};
+
+/// An object: a sphere, a plane, a light, or a union of any number of them, flat.
 struct Shape {
     std::vector<Dressed<Sphere<double>>> spheres;
     std::vector<Dressed<Affine<double>>> ellipsoids; ///< the map of the unit sphere into the world
     std::vector<Dressed<Plane<double>>> planes;
+    std::vector<LightSource> lights;
     Surface own; ///< the object's own: for those of its parts that have none
 
     /// What a copy takes.
@@ -95,6 +116,8 @@ struct Shape {
     }
     /// Gives the own surface to the parts that lack one.
     void dress_parts();
+    /// Takes over the parts of another object, which have to be dressed.
+    void append(const Shape& other);
 };
 
 /// A name of a standard include file that needs a word which Proxima does not support.
@@ -107,7 +130,8 @@ class DataFile;
 struct Macro;
 
 using ShapeRef = std::shared_ptr<const Shape>;
-using LightRef = std::shared_ptr<const Light<double>>;
+using SkyRef = std::shared_ptr<const SkySphere>;
+using FogRef = std::shared_ptr<const Fog<double>>;
 using CameraRef = std::shared_ptr<const Camera<double>>;
 using TransformRef = std::shared_ptr<const TransformPair>;
 using MacroRef = std::shared_ptr<const Macro>;
@@ -116,7 +140,7 @@ using DataFileRef = std::shared_ptr<DataFile>; ///< an open file
 
 using Value =
     std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef, MaterialValue,
-                 ShapeRef, LightRef, CameraRef, TransformRef, MacroRef, Refused, ArrayRef, DataFileRef>;
+                 ShapeRef, ColorMapRef, SkyRef, FogRef, CameraRef, TransformRef, MacroRef, Refused, ArrayRef, DataFileRef>;
 
 /// What POV-Ray tells apart where a value may replace only one of its kind.
 struct ValueKind {

@@ -12,8 +12,9 @@ namespace proxima {
 // X(enumerator, spelling). An enumerator ends in _ where its spelling is a word of C++.
 #define PROXIMA_WORDS(X) \
     /* objects and items */ \
-    X(sphere, "sphere") X(plane, "plane") X(union_, "union") X(object, "object") X(camera, "camera") \
-    X(light_source, "light_source") X(background, "background") X(global_settings, "global_settings") \
+    X(sphere, "sphere") X(plane, "plane") X(union_, "union") X(light_source, "light_source") \
+    X(object, "object") X(camera, "camera") X(background, "background") X(sky_sphere, "sky_sphere") X(fog, "fog") \
+    X(global_settings, "global_settings") \
     /* surfaces */ \
     X(texture, "texture") X(pigment, "pigment") X(finish, "finish") X(interior, "interior") \
     X(material, "material") X(checker, "checker") X(quick_color, "quick_color") X(quick_colour, "quick_colour") \
@@ -24,13 +25,25 @@ namespace proxima {
     X(fresnel, "fresnel") X(conserve_energy, "conserve_energy") X(ior, "ior") X(fade_distance, "fade_distance") \
     X(fade_power, "fade_power") X(fade_color, "fade_color") X(fade_colour, "fade_colour") X(crand, "crand") \
     X(caustics, "caustics") \
+    /* patterns, then what stands in a pigment that has one */ \
+    X(gradient, "gradient") X(radial, "radial") X(spherical, "spherical") X(planar, "planar") \
+    X(cylindrical, "cylindrical") X(boxed, "boxed") X(onion, "onion") X(leopard, "leopard") \
+    X(color_map, "color_map") X(colour_map, "colour_map") X(frequency, "frequency") X(phase, "phase") \
+    X(ramp_wave, "ramp_wave") X(sine_wave, "sine_wave") X(triangle_wave, "triangle_wave") \
+    X(scallop_wave, "scallop_wave") X(cubic_wave, "cubic_wave") X(poly_wave, "poly_wave") \
     /* object modifiers */ \
-    X(no_shadow, "no_shadow") X(hollow, "hollow") X(split_union, "split_union") X(translate, "translate") \
+    X(no_shadow, "no_shadow") X(no_image, "no_image") X(no_reflection, "no_reflection") \
+    X(double_illuminate, "double_illuminate") X(hollow, "hollow") X(split_union, "split_union") X(translate, "translate") \
     X(rotate, "rotate") X(scale, "scale") X(matrix, "matrix") X(transform, "transform") X(inverse, "inverse") \
     /* camera and lights */ \
     X(location, "location") X(look_at, "look_at") X(angle, "angle") X(right, "right") X(up, "up") X(sky, "sky") \
     X(direction, "direction") X(perspective, "perspective") X(orthographic, "orthographic") \
-    X(shadowless, "shadowless") \
+    X(shadowless, "shadowless") X(spotlight, "spotlight") X(cylinder, "cylinder") X(parallel, "parallel") \
+    X(point_at, "point_at") X(radius, "radius") X(tightness, "tightness") X(area_light, "area_light") \
+    X(adaptive, "adaptive") X(circular, "circular") X(orient, "orient") X(jitter, "jitter") \
+    X(looks_like, "looks_like") X(media_attenuation, "media_attenuation") X(media_interaction, "media_interaction") \
+    /* fog */ \
+    X(fog_type, "fog_type") X(fog_offset, "fog_offset") X(fog_alt, "fog_alt") X(distance, "distance") \
     /* global settings */ \
     X(assumed_gamma, "assumed_gamma") X(ambient_light, "ambient_light") X(max_trace_level, "max_trace_level") \
     X(adc_bailout, "adc_bailout") X(charset, "charset") X(max_intersections, "max_intersections") \

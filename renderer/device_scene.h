@@ -30,7 +30,27 @@ template <class Real> Plane<Real> convert(const Plane<double>& p) {
     return {Vec3<Real>(p.normal), Real(p.distance), p.material};
 }
 template <class Real> Light<Real> convert(const Light<double>& l) {
-    return {Vec3<Real>(l.position), l.color, l.fade_distance, l.fade_power, l.shadowless};
+    return {Vec3<Real>(l.position),
+            l.color,
+            l.fade_distance,
+            l.fade_power,
+            l.shadowless,
+            l.kind,
+            l.parallel,
+            l.area,
+            Vec3<Real>(l.point_at),
+            Vec3<Real>(l.direction),
+            Real(l.radius),
+            Real(l.falloff),
+            Real(l.tightness)};
+}
+template <class Real> AreaLight<Real> convert(const AreaLight<double>& a) {
+    return {Vec3<Real>(a.axis1), Vec3<Real>(a.axis2), a.columns,     a.rows, a.circular, a.orient, a.jitter,
+            a.adaptive,          a.first_sample,      a.sample_count};
+}
+template <class Real> Fog<Real> convert(const Fog<double>& f) {
+    return {f.kind,           f.color,          f.filter,       f.transmit,
+            Real(f.distance), Vec3<Real>(f.up), Real(f.offset), Real(f.altitude)};
 }
 
 /// What decides which kernels a scene needs and how much they must remember.
@@ -46,7 +66,9 @@ template <class Backend, class Real> class DeviceScene {
 public:
     explicit DeviceScene(Backend& backend)
         : shapes_(backend), exact_(backend), sphere_materials_(backend), materials_(backend), layers_(backend),
-          pigments_(backend), finishes_(backend), interiors_(backend), transforms_(backend), lights_(backend) {}
+          pigments_(backend), patterns_(backend), color_stops_(backend), finishes_(backend), interiors_(backend),
+          transforms_(backend), lights_(backend), area_lights_(backend), area_samples_(backend), sky_pigments_(backend),
+          fogs_(backend) {}
 
     void upload(const SceneProgram& scene) {
         view_ = {};
@@ -55,23 +77,39 @@ public:
         upload_copy(materials_, scene.materials);
         upload_copy(layers_, scene.layers);
         upload_copy(pigments_, scene.pigments);
+        upload_copy(patterns_, scene.patterns);
+        upload_copy(color_stops_, scene.color_stops);
         upload_copy(finishes_, scene.finishes);
         upload_copy(interiors_, scene.interiors);
         upload_converted<Real>(transforms_, scene.transforms);
         upload_converted<Real>(lights_, scene.lights);
+        upload_converted<Real>(area_lights_, scene.area_lights);
+        upload_copy(area_samples_, scene.area_samples);
+        upload_copy(sky_pigments_, scene.sky.pigments);
+        upload_converted<Real>(fogs_, scene.fogs);
 
-        view_.surfaces = {materials_.view(), layers_.view(),     pigments_.view(),         finishes_.view(),
-                          interiors_.view(), transforms_.view(), scene.legacy_transparency};
+        view_.surfaces = {materials_.view(), layers_.view(),      pigments_.view(),
+                          patterns_.view(),  color_stops_.view(), finishes_.view(),
+                          interiors_.view(), transforms_.view(),  scene.legacy_transparency};
         view_.lights = lights_.view();
+        view_.area_lights = area_lights_.view();
+        view_.area_samples = area_samples_.view();
+        view_.sky_pigments = sky_pigments_.view();
+        view_.fogs = fogs_.view();
         view_.camera = scene.camera;
         view_.background = scene.background;
+        view_.sky_emission = scene.sky.emission;
         view_.ambient_light = scene.ambient_light;
         view_.adc_bailout = scene.adc_bailout;
         view_.max_trace_level = scene.max_trace_level;
         view_.has_fading = std::any_of(scene.interiors.begin(), scene.interiors.end(),
                                        [](const Interior& i) { return i.fade_power > 0 && i.fade_distance != 0; });
-        view_.has_no_shadow = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                          [](const Material& m) { return (m.flags & material_no_shadow) != 0; });
+        const auto any_material = [&](uint32_t flags) {
+            return std::any_of(scene.materials.begin(), scene.materials.end(),
+                               [&](const Material& m) { return (m.flags & flags) != 0; });
+        };
+        view_.has_no_shadow = any_material(material_no_shadow);
+        view_.has_hidden = any_material(material_no_image | material_no_reflection);
         curve_ = scene.working_curve == WorkingCurve::linear  ? FilmCurve::linear
                  : scene.working_curve == WorkingCurve::power ? FilmCurve::power
                                                               : FilmCurve::srgb;
@@ -127,10 +165,16 @@ private:
     Buffer<Material> materials_;
     Buffer<Layer> layers_;
     Buffer<Pigment> pigments_;
+    Buffer<Pattern> patterns_;
+    Buffer<ColorStop> color_stops_;
     Buffer<Finish> finishes_;
     Buffer<Interior> interiors_;
     Buffer<Affine<Real>> transforms_;
     Buffer<Light<Real>> lights_;
+    Buffer<AreaLight<Real>> area_lights_;
+    Buffer<AreaSample> area_samples_;
+    Buffer<uint32_t> sky_pigments_;
+    Buffer<Fog<Real>> fogs_;
     SceneView<Real> view_;
     SceneNeeds needs_;
     FilmCurve curve_ = FilmCurve::linear;
@@ -159,12 +203,14 @@ inline SceneNeeds needs_of(const SceneProgram& scene) {
         }
         most_rays = std::max(most_rays, rays);
     }
-    if (!transparent && !branches && !has_exponent) {
+    const bool follows_interiors = !scene.fogs.empty(); // there is none in objects
+    if (!transparent && !branches && !has_exponent && !follows_interiors) {
         needs.features = reflective ? Features::mirrors : Features::opaque;
         return needs;
     }
     needs.features = Features::all;
-    const uint32_t waiting = most_rays - (has_exponent ? 0 : 1); // one goes on; a mark takes a place as well
+    const uint32_t ways = std::max(1u, most_rays);
+    const uint32_t waiting = ways - (has_exponent ? 0 : 1); // one goes on; a mark takes a place as well
     needs.stack_entries = std::max(1u, waiting) * scene.max_trace_level;
     const size_t primitives = scene.spheres.size() + scene.ellipsoids.size() + scene.planes.size();
     needs.interior_capacity = uint32_t(std::min<size_t>(primitives, InteriorList::capacity));

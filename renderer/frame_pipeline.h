@@ -2,6 +2,7 @@
 // A frame, written once for every backend: bounds, grid, trace, resolve, read back. A scene and settings come in; the
 // picture and what it took go out.
 #pragma once
+#include "renderer/antialiaser.h"
 #include "renderer/device_scene.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_builder.h"
@@ -13,8 +14,8 @@ namespace proxima {
 template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
-        : backend_(backend), scene_(backend), grid_(backend), film_(backend), pending_states_(backend),
-          pending_interiors_(backend), overflows_(backend) {}
+        : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend),
+          pending_states_(backend), pending_interiors_(backend), overflows_(backend) {}
 
     void set_scene(const SceneProgram& program) { scene_.upload(program); }
 
@@ -37,9 +38,9 @@ public:
         backend_.synchronize();
 
         const auto built = Clock::now();
-        trace(scene, film);
+        trace(scene, film, settings.antialiasing);
         backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
-        check_overflow();
+        backend_.synchronize();
 
         const auto traced = Clock::now();
         read_back(film, image);
@@ -67,7 +68,13 @@ private:
         if (uint64_t(settings.width) * settings.height > most_pixels)
             throw DeviceError(DeviceError::Kind::out_of_memory, "a picture may have at most 2^31 pixels");
         film_.resize(size_t(settings.width) * settings.height);
-        return {film_.view(), settings.width, settings.height, settings.samples};
+        FilmView film{film_.view(), settings.width, settings.height, settings.samples};
+        if (settings.antialiasing.method == Antialiasing::Method::grid) {
+            film.pattern = SamplePattern::center_and_grid;
+            film.grid_side = settings.antialiasing.depth;
+            film.samples = film.grid_side * film.grid_side + 1;
+        }
+        return film;
     }
 
     /// A handful of primitives is tested faster than a grid is walked.
@@ -86,7 +93,20 @@ private:
         return plan;
     }
 
+    void trace(const SceneView<Real>& scene, const FilmView& film, const Antialiasing& antialiasing) {
+        const auto trace_film = [&](const FilmView& part) { trace(scene, part); };
+        if (antialiasing.method == Antialiasing::Method::blocks || antialiasing.method == Antialiasing::Method::squares)
+            antialiaser_.render(antialiasing, film, trace_film);
+        else
+            trace_film(film);
+    }
+
     void trace(const SceneView<Real>& scene, const FilmView& film) {
+        trace_features(scene, film);
+        check_overflow();
+    }
+
+    void trace_features(const SceneView<Real>& scene, const FilmView& film) {
         switch (scene_.needs().features) {
         case Features::opaque:
             return trace_waves<Features::opaque>(scene, film);
@@ -151,6 +171,7 @@ private:
     Backend& backend_;
     DeviceScene<Backend, Real> scene_;
     GridBuilder<Backend, Real> grid_;
+    Antialiaser<Backend> antialiaser_;
     Buffer<glm::vec3> film_;
     Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;

@@ -17,10 +17,20 @@ enum class Precision { float32, float64 };
 enum class Tolerances { exact, povray };
 enum class Accelerator { automatic, grid, cloud, brute };
 
+/// POV-Ray's antialiasing without jitter: a grid in every pixel (its threshold 0), its method 1 (by blocks of pixels)
+/// or its method 2 (by squares, recursively).
+struct Antialiasing {
+    enum class Method { none, grid, blocks, squares };
+    Method method = Method::none;
+    float threshold = 0.3f;
+    uint32_t depth = 3;
+};
+
 struct FrameSettings {
     uint32_t width = 640;
     uint32_t height = 480;
     uint32_t samples = 1; ///< rays a pixel; 1 is the pixel's centre
+    Antialiasing antialiasing;
     Precision precision = Precision::float32;
     Tolerances tolerances = Tolerances::exact;
     Accelerator accelerator = Accelerator::automatic;

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <vector>
 
 namespace proxima {
 namespace {
@@ -45,6 +47,41 @@ uint32_t parse_count(std::string_view option, std::string_view text, uint32_t lo
     if (!value || *value < lowest || *value > highest)
         throw UsageError(fmt::format("{} {}: write a whole number from {} to {}", option, text, lowest, highest));
     return uint32_t(*value);
+}
+
+Antialiasing parse_antialiasing(std::string_view text) {
+    using Method = Antialiasing::Method;
+    const auto wrong = [&](std::string_view what) { return UsageError(fmt::format("--antialias {}: {}", text, what)); };
+    std::vector<std::string_view> parts;
+    for (size_t start = 0; start <= text.size();) {
+        const size_t end = std::min(text.find(':', start), text.size());
+        parts.push_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    const std::map<std::string_view, Method> methods = {
+        {"none", Method::none}, {"grid", Method::grid}, {"method1", Method::blocks}, {"method2", Method::squares}};
+    const auto method = methods.find(parts[0]);
+    if (method == methods.end())
+        throw wrong("write none, grid:N, method1[:THRESHOLD[:DEPTH]] or method2[:THRESHOLD[:DEPTH]]");
+    Antialiasing result{method->second};
+    const bool has_threshold = result.method == Method::blocks || result.method == Method::squares;
+    const size_t most_parts = has_threshold ? 3 : result.method == Method::grid ? 2 : 1;
+    if (parts.size() > most_parts)
+        throw wrong("there are too many parts; write grid:N, method1:THRESHOLD:DEPTH or method2:THRESHOLD:DEPTH");
+    if (has_threshold && parts.size() > 1) {
+        const auto threshold = read_number<float>(parts[1]);
+        if (!threshold || !(*threshold >= 0 && *threshold <= 3))
+            throw wrong("the threshold is a number from 0 to 3");
+        result.threshold = *threshold;
+    }
+    if (parts.size() == most_parts && most_parts > 1) {
+        const uint32_t deepest = result.method == Method::squares ? 5 : result.method == Method::blocks ? 9 : 64;
+        const auto depth = read_number<uint32_t>(parts.back());
+        if (!depth || *depth < 1 || *depth > deepest)
+            throw wrong(fmt::format("the last part is a whole number from 1 to {}", deepest));
+        result.depth = *depth;
+    }
+    return result;
 }
 
 std::pair<uint32_t, uint32_t> parse_size(std::string_view text) {

@@ -19,6 +19,9 @@ namespace proxima {
 /// A whole number in [lowest, highest].
 uint32_t parse_count(std::string_view option, std::string_view text, uint32_t lowest, uint32_t highest);
 
+/// "none", "grid:N", "method1" or "method2" with ":THRESHOLD" and ":DEPTH" behind it.
+Antialiasing parse_antialiasing(std::string_view text);
+
 /// "640x480": at most 65536 a side and 2^31 pixels.
 std::pair<uint32_t, uint32_t> parse_size(std::string_view text);
 

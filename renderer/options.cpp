@@ -15,7 +15,8 @@ namespace {
 struct RenderTexts {
     SceneTexts scene;
     DeviceTexts device;
-    std::string output, samples = "1", tolerances = "exact", display, view, bits, ocio, progress = "auto", stats_json;
+    std::string output, samples = "1", antialias = "none", tolerances = "exact", display, view, bits, ocio,
+                        progress = "auto", stats_json;
 };
 
 void add_scene(CLI::App& command, SceneTexts& texts) {
@@ -33,6 +34,11 @@ CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
     render->add_option("--subset", texts.scene.subset, "The frames of --frames to render now [all]")
         ->type_name("RANGE");
     render->add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
+    render
+        ->add_option(
+            "--antialias", texts.antialias,
+            "POV-Ray's without jitter: grid:N, method1[:THRESHOLD[:DEPTH]] or method2[:THRESHOLD[:DEPTH]] [none]")
+        ->type_name("MODE");
     add_device_options(*render, texts.device);
     render->add_option("--tolerances", texts.tolerances, "exact, or povray to compare with POV-Ray [exact]")
         ->type_name("T");
@@ -116,6 +122,9 @@ RenderOptions read_render_options(const RenderTexts& texts) {
 
     options.frame = read_frame_settings(options.scene, texts.device);
     options.frame.samples = parse_count("--samples", texts.samples, 1, 65536);
+    options.frame.antialiasing = parse_antialiasing(texts.antialias);
+    if (options.frame.samples > 1 && options.frame.antialiasing.method != Antialiasing::Method::none)
+        throw UsageError("--samples, --antialias: each says where the rays go; give one of them");
     options.frame.tolerances = parse_choice<Tolerances>("--tolerances", texts.tolerances,
                                                         {{"exact", Tolerances::exact}, {"povray", Tolerances::povray}});
     options.device = parse_device(texts.device.device);

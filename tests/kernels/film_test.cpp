@@ -51,3 +51,15 @@ TEST_CASE("film: the picture is the samples' mean, through the scene's curve") {
         CHECK(pixel.x == doctest::Approx(row.result).epsilon(1e-5));
     }
 }
+
+TEST_CASE("film: a grid's samples lie in the middle of its cells, behind the pixel's centre where that counts too") {
+    FilmView film;
+    film.pattern = SamplePattern::center_and_grid;
+    film.grid_side = 2;
+    CHECK(sample_offset<double>(film, 0).x == 0.5);
+    CHECK(sample_offset<double>(film, 1).y == 0.25);
+    CHECK(sample_offset<double>(film, 2).x == 0.75);
+    CHECK(sample_offset<double>(film, 4).y == 0.75);
+    film.pattern = SamplePattern::grid;
+    CHECK(sample_offset<double>(film, 0).x == 0.25);
+}

@@ -112,16 +112,16 @@ TEST_CASE_TEMPLATE("traverse: every grid and cloud finds what brute force finds,
                     aim.center + aim.radius * Vec3<Real>(Real(random(-1, 1)), Real(random(-1, 1)), Real(0));
                 const SourcedRay<Real> ray{awkward_ray(random, i % 7, brute.geometry.bounds, target), {}};
                 const BasedRay<Real> based = rebase(ray, brute.geometry.bounds);
-                const Hit<Real> a = find_nearest(brute, based, {}, Real(0), infinity<Real>, false);
-                const Hit<Real> b = find_nearest(grid, based, {}, Real(0), infinity<Real>, false);
+                const Hit<Real> a = find_nearest(brute, based, {}, Real(0), infinity<Real>, 0);
+                const Hit<Real> b = find_nearest(grid, based, {}, Real(0), infinity<Real>, 0);
                 REQUIRE(a.primitive == b.primitive);
                 REQUIRE(a.t == b.t);
                 REQUIRE(find_any(grid, based, Real(0), infinity<Real>) == (a.primitive != no_primitive));
                 hits += a.primitive != no_primitive;
                 if (a.primitive == no_primitive)
                     continue;
-                const Hit<Real> next_a = find_nearest(brute, based, a, Real(0), infinity<Real>, false);
-                const Hit<Real> next_b = find_nearest(grid, based, a, Real(0), infinity<Real>, false);
+                const Hit<Real> next_a = find_nearest(brute, based, a, Real(0), infinity<Real>, 0);
+                const Hit<Real> next_b = find_nearest(grid, based, a, Real(0), infinity<Real>, 0);
                 REQUIRE(next_a.primitive == next_b.primitive);
                 REQUIRE(next_a.t == next_b.t);
             }
@@ -143,7 +143,7 @@ TEST_CASE("traverse: a ray that has passed a hit sees each surface once, duplica
     std::vector<uint32_t> order;
     Hit<double> hit;
     for (;;) {
-        hit = find_nearest(scene, ray, hit, 0.0, infinity<double>, false);
+        hit = find_nearest(scene, ray, hit, 0.0, infinity<double>, 0);
         if (hit.primitive == no_primitive)
             break;
         order.push_back(hit.primitive);
@@ -164,7 +164,7 @@ TEST_CASE("traverse: a ray leaves its own sphere outward for good, inward at the
     const Ray<float> from_surface{{1e4f, 0.6f, 0.8f}, {0, 0, 1}};
     const auto nearest = [&](RaySource<float> source) {
         return find_nearest(scene, rebase(SourcedRay<float>{from_surface, source}, scene.geometry.bounds), {}, 0.0f,
-                            infinity<float>, false);
+                            infinity<float>, 0);
     };
     CHECK(nearest({0, 0.0f}).primitive == no_primitive);
     CHECK(nearest({0, -1e-3f}).primitive == no_primitive);

@@ -105,22 +105,3 @@ TEST_CASE("camera: mistakes") {
     CHECK(evaluate("camera { } camera { location x }").messages.find("replaces the one before it") !=
           std::string::npos);
 }
-
-TEST_CASE("lights: place, color, fading and shadows") {
-    const SceneProgram scene =
-        scene_of("light_source { <1, 2, 3>, rgb <1, 0.5, 0> fade_distance 5 fade_power 2 translate x }"
-                 "light_source { 0 0.5 shadowless }");
-    REQUIRE(scene.lights.size() == 2);
-    check_near(scene.lights[0].position, {2, 2, 3});
-    CHECK(scene.lights[0].color == glm::vec3(1, 0.5f, 0));
-    CHECK(scene.lights[0].fade_distance == 5);
-    CHECK(scene.lights[0].fade_power == 2);
-    CHECK(scene.lights[0].shadowless == 0);
-    CHECK(scene.lights[1].color == glm::vec3(0.5f));
-    CHECK(scene.lights[1].shadowless == 1);
-    for (const char* word : {"spotlight", "area_light", "parallel", "looks_like"}) {
-        CAPTURE(std::string(word));
-        CHECK(error_of(std::string("light_source { 0, 1 ") + word + " }") ==
-              std::string("Proxima does not support '") + word + "'");
-    }
-}

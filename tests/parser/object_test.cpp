@@ -66,6 +66,14 @@ TEST_CASE("objects: unions hold spheres, ellipsoids and planes") {
     CHECK(scene.planes.size() == 1);
 }
 
+TEST_CASE("objects: flags of a union go to its parts; hollow does unless the part says otherwise") {
+    const SceneProgram scene = scene_of("union { sphere { 0, 1 no_image } sphere { 1, 1 hollow off } double_illuminate "
+                                        "no_reflection hollow }");
+    const auto flags = [&](size_t sphere) { return scene.materials[scene.sphere_materials[sphere]].flags; };
+    CHECK(flags(0) == (material_no_image | material_double_illuminate | material_no_reflection | material_hollow));
+    CHECK(flags(1) == (material_double_illuminate | material_no_reflection));
+}
+
 TEST_CASE("objects: mistakes") {
     struct Case {
         const char* text;
@@ -83,7 +91,7 @@ TEST_CASE("objects: mistakes") {
         {"object { Nothing }", "'Nothing' is not declared"},
         {"#declare T = texture { } object { T }", "unexpected 'T', which is a texture"},
         {"sphere { 0, 1 hollow split_union }", "unexpected 'split_union'"},
-        {"sphere { 0, 1 no_image }", "Proxima does not support 'no_image'"},
+        {"sphere { 0, 1 no_radiosity }", "Proxima does not support 'no_radiosity'"},
     };
     for (const Case& test : cases) {
         CAPTURE(std::string(test.text));
