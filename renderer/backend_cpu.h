@@ -26,6 +26,7 @@ class CpuBackend {
 public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
+    static constexpr uint32_t fewest_for_cloud = 5'000; ///< primitives
 
     /// `threads` 0 is one for each core that the process may use; there are never more.
     explicit CpuBackend(unsigned threads = 0) : arena_(usable(threads)) {}

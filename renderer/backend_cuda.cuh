@@ -42,6 +42,7 @@ template <class T> struct Combine {
 class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
+    static constexpr uint32_t fewest_for_cloud = 50'000; ///< primitives; with fewer, launches cost more than steps
 
     explicit CudaBackend(int ordinal = 0)
         : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this) {}

@@ -3,6 +3,7 @@
 // picture and what it took go out.
 #pragma once
 #include "renderer/antialiaser.h"
+#include "renderer/cloud_choice.h"
 #include "renderer/device_scene.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_builder.h"
@@ -15,7 +16,8 @@ template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
         : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend),
-          pending_states_(backend), pending_interiors_(backend), overflows_(backend) {}
+          pending_states_(backend), pending_interiors_(backend), overflows_(backend),
+          choice_(Backend::fewest_for_cloud) {}
 
     void set_scene(const SceneProgram& program) { scene_.upload(program); }
 
@@ -29,12 +31,7 @@ public:
         const FilmView film = make_film(settings); // before the grid, which makes do with what is left
         grid_.find_bounds(scene.geometry);
         if (uses_grid(settings, scene))
-            grid_.build(scene, plan_of(settings), statistics);
-        backend_.synchronize();
-
-        const auto listed = Clock::now();
-        if (scene.grid.cloud.in_use())
-            grid_.build_distances(scene, statistics);
+            build_grid(settings, scene, statistics);
         backend_.synchronize();
 
         const auto built = Clock::now();
@@ -45,8 +42,7 @@ public:
         const auto traced = Clock::now();
         read_back(film, image);
         statistics.method = scene.grid.cloud.in_use() ? "cloud" : scene.grid.in_use() ? "grid" : "brute";
-        statistics.build_ms = milliseconds(started, listed);
-        statistics.cloud_ms = milliseconds(listed, built);
+        statistics.build_ms = milliseconds(started, built) - statistics.cloud_ms;
         statistics.trace_ms = milliseconds(built, traced);
         statistics.readback_ms = milliseconds(traced, Clock::now());
         statistics.peak_device_bytes = backend_.memory().peak();
@@ -84,13 +80,36 @@ private:
                (settings.accelerator == Accelerator::automatic && scene.geometry.round_count() > few);
     }
 
-    static GridPlan plan_of(const FrameSettings& settings) {
-        GridPlan plan{.size = settings.grid, .metric = settings.metric};
-        if (settings.accelerator == Accelerator::cloud) {
-            plan.brick = settings.brick ? settings.brick : 4;
-            plan.voxels_per_primitive = 32;
+    /// A grid, or a cloud over a finer one: as asked for, or by what is found in between the primitives. A size that
+    /// is asked for is a grid's unless a cloud is, too.
+    void build_grid(const FrameSettings& settings, SceneView<Real>& scene, FrameStatistics& statistics) {
+        const bool chooses = settings.accelerator == Accelerator::automatic && settings.grid[0] == 0;
+        const bool looks = chooses && choice_.is_due(scene.geometry.round_count());
+        const bool clouds = settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud());
+        if (looks || clouds) {
+            build_cloud(settings, scene, statistics);
+            if (looks)
+                choice_.report(statistics.mean_distance);
+            if (clouds || choice_.uses_cloud())
+                return;
         }
-        return plan;
+        statistics.brick = 0;
+        grid_.build(scene, {.size = settings.grid}, statistics);
+    }
+
+    void build_cloud(const FrameSettings& settings, SceneView<Real>& scene, FrameStatistics& statistics) {
+        grid_.build(scene,
+                    {.size = settings.grid,
+                     .voxels_per_primitive = 32,
+                     .brick = settings.brick ? settings.brick : 4,
+                     .metric = settings.metric},
+                    statistics);
+        backend_.synchronize();
+        const auto listed = Clock::now();
+        if (scene.grid.in_use())
+            grid_.build_distances(scene, statistics);
+        backend_.synchronize();
+        statistics.cloud_ms = milliseconds(listed, Clock::now());
     }
 
     void trace(const SceneView<Real>& scene, const FilmView& film, const Antialiasing& antialiasing) {
@@ -176,6 +195,7 @@ private:
     Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;
     Buffer<uint32_t> overflows_;
+    CloudChoice choice_;
 };
 
 } // namespace proxima

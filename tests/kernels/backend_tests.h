@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("backend: buffers keep their memory when they shrink", Backen
     CHECK(backend.memory().peak() == held);
 }
 
-TEST_CASE_TEMPLATE("frame: grid and brute force make the same bits at every resolution", Backend, BACKENDS) {
+TEST_CASE_TEMPLATE("frame: grids, clouds and brute force make the same bits at every resolution", Backend, BACKENDS) {
     const auto renderer = make_renderer<Backend>();
     const RandomSceneSpec specs[] = {
         {.spheres = 300},
@@ -122,6 +122,16 @@ TEST_CASE_TEMPLATE("frame: grid and brute force make the same bits at every reso
                     settings.grid = grid;
                     CHECK(same_bits(brute, render(*renderer, scene, settings)));
                 }
+                settings.accelerator = Accelerator::cloud;
+                settings.grid = {0, 0, 0};
+                for (const Metric metric :
+                     {Metric::chessboard, Metric::city_block, Metric::euclidean, Metric::octant}) {
+                    settings.metric = metric;
+                    settings.brick = 1u << (seed + uint32_t(metric)) % 4;
+                    CHECK(same_bits(brute, render(*renderer, scene, settings)));
+                }
+                settings.accelerator = Accelerator::automatic;
+                CHECK(same_bits(brute, render(*renderer, scene, settings)));
             }
 }
 
