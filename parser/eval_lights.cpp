@@ -91,6 +91,9 @@ bool Evaluator::light_kind_item(LightSource& source) {
     } else if (accept(Word::parallel)) {
         light.parallel = 1;
     } else if (accept(Word::point_at)) {
+        if (light.kind == LightKind::point && !light.parallel)
+            fail(token, "'point_at' stands in a light without a direction",
+                 "write spotlight, cylinder or parallel before it");
         light.point_at = vector();
     } else if (accept(Word::radius)) {
         only_in_beams();

@@ -20,6 +20,7 @@ void Evaluator::background() {
 SkySphere Evaluator::sky_sphere() {
     expect(TokenKind::left_brace);
     SkySphere sky;
+    const Token& start = peek();
     if (const SkyRef* declared = identifier<SkyRef>()) {
         sky = **declared;
         advance();
@@ -35,6 +36,8 @@ SkySphere Evaluator::sky_sphere() {
     }
     if (!accept(TokenKind::right_brace))
         fail_unexpected("pigment, emission, a transform or '}'");
+    if (sky.pigments.empty())
+        fail(start, "this sky_sphere has no pigment", "give it one: sky_sphere { pigment { rgb <0.4, 0.6, 1> } }");
     for (uint32_t& pigment : sky.pigments)
         pigment = builder_.transform_pigment(pigment, transform.inverse);
     return sky;
