@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     ScriptSources sources;
     sources.files.add_text("scene", std::string(reinterpret_cast<const char*>(data), size));
     EvaluationSettings settings;
-    settings.budget = {.steps = 200'000, .bytes = 512u << 20, .seconds = 5};
+    settings.budget = {.steps = 20'000, .bytes = 512u << 20, .seconds = 5};
     Diagnostics diagnostics;
     Evaluator(sources, settings, diagnostics).run();
     diagnostics.format(sources.files);
