@@ -91,7 +91,7 @@ void Evaluator::read_into(DataFile& file) {
     Value value;
     const bool read = !file.ended() && file.read(value);
     // POV-Ray reads into a new name, or over a number, a vector of 3 terms or a string.
-    const Binding* known = lookup(name);
+    Binding* const known = lookup(name);
     const Value* old = known ? named_value(name) : nullptr;
     const Terms* terms = old ? std::get_if<Terms>(old) : nullptr;
     if (old && !std::holds_alternative<std::string>(*old) && !(terms && (terms->count == 1 || terms->count == 3)))
@@ -103,7 +103,7 @@ void Evaluator::read_into(DataFile& file) {
     advance();
     if (!read)
         return;
-    Binding& binding = scopes_.declare(name.index);
+    Binding& binding = known ? *known : scopes_.declare(name.index);
     if (!path.empty())
         return store_element(name, binding.value, path, std::move(value));
     binding.value = std::move(value);

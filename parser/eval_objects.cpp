@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <unordered_map>
 
 namespace proxima {
@@ -23,8 +24,9 @@ bool Evaluator::starts_shape() {
 Shape Evaluator::object() {
     const Nesting nesting(*this);
     if (const ShapeRef* declared = identifier<ShapeRef>()) {
+        const ShapeRef copied = *declared; // behind the name an element's array may be gone
         advance();
-        return **declared;
+        return *copied;
     }
     Shape shape;
     if (peek().kind == TokenKind::sphere_run) {
@@ -60,13 +62,58 @@ void Evaluator::sphere(Shape& shape) {
         advance();
         return;
     }
+    shape.spheres.push_back({sphere_numbers(), {}});
+}
+
+/// Centre and radius.
+Sphere<double> Evaluator::sphere_numbers() {
     const Vec3<double> center = vector();
     accept(TokenKind::comma);
     const Token& at = peek();
     const double radius = number();
     if (!(radius > 0))
         fail(at, fmt::format("the radius of a sphere must be above 0, this one is {}", radius));
-    shape.spheres.push_back({{center, radius}, {}});
+    return {center, radius};
+}
+
+/// A sphere of its own, behind its word. Loops make millions of them: one that ends plainly goes straight into the
+/// scene.
+void Evaluator::sphere_item() {
+    const Nesting nesting(*this);
+    expect(TokenKind::left_brace);
+    Shape shape;
+    if (identifier<ShapeRef>()) {
+        sphere(shape);
+    } else {
+        const Sphere<double> numbers = sphere_numbers();
+        Surface surface;
+        if (plain_end(surface))
+            return builder_.add_sphere(numbers, surface, default_texture_);
+        shape.spheres.push_back({numbers, {}});
+    }
+    object_modifiers(shape, Word::sphere);
+    shape.dress_parts();
+    builder_.add_shape(shape, default_texture_);
+}
+
+/// Steps over `}` or `texture { Name } }`, if nothing else follows.
+bool Evaluator::plain_end(Surface& surface) {
+    const Token* const token = &peek();
+    if (accept(TokenKind::right_brace))
+        return true;
+    static constexpr TokenKind kinds[] = {TokenKind::word, TokenKind::left_brace, TokenKind::name,
+                                          TokenKind::right_brace, TokenKind::right_brace};
+    for (size_t i = 0; i < std::size(kinds); ++i)
+        if (token[i].kind != kinds[i] || token[i].directive != Directive::none)
+            return false;
+    const Binding* binding = token->index == uint32_t(Word::texture) ? lookup(token[2]) : nullptr;
+    const TextureRef* texture = binding ? std::get_if<TextureRef>(&binding->value) : nullptr;
+    if (!texture)
+        return false;
+    surface.texture = texture->index;
+    for (size_t i = 0; i < std::size(kinds); ++i)
+        advance();
+    return true;
 }
 
 void Evaluator::plane(Shape& shape) {

@@ -76,12 +76,30 @@ bool Evaluator::starts_expression() {
     }
 }
 
+namespace {
+
+/// Whether nothing that stands before this token goes on behind it. A '>' closes a vector: relations need parentheses.
+bool ends_number(TokenKind kind) {
+    return kind == TokenKind::comma || kind == TokenKind::right_angle || kind == TokenKind::right_brace;
+}
+
+} // namespace
+
 double Evaluator::number() {
     const Token& token = peek();
     // The commonest number stands alone before a comma or a bracket.
     if (token.kind == TokenKind::number && (&token)[1].kind == TokenKind::comma) {
         advance();
         return token.number();
+    }
+    // The next commonest is a name there.
+    if (token.kind == TokenKind::name && token.directive == Directive::none && ends_number((&token)[1].kind)) {
+        const Terms* terms = identifier<Terms>();
+        if (terms && terms->count == 1 && std::isfinite(terms->value[0])) {
+            const double value = terms->value[0];
+            advance();
+            return value;
+        }
     }
     const SourceSpan place = span(token);
     const Terms terms = sum();

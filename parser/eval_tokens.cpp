@@ -56,10 +56,6 @@ std::string_view Evaluator::spelling(const Token& token) const {
     return sources_.files.text(program_->file).substr(token.offset, token.length);
 }
 
-SourceSpan Evaluator::span(const Token& token) const {
-    return {{program_->file, token.offset}, token.length};
-}
-
 void Evaluator::fail(const Token& token, std::string message, std::string hint) const {
     throw SceneError(span(token), std::move(message), std::move(hint));
 }

@@ -56,6 +56,8 @@ bool Evaluator::item() {
         return false;
     if (token.kind == TokenKind::sphere_run) {
         emit_sphere_run();
+    } else if (accept(Word::sphere)) {
+        sphere_item();
     } else if (starts_shape()) {
         Shape shape = object();
         shape.dress_parts();

@@ -105,7 +105,7 @@ private:
             fail_expected(kind);
     }
     std::string_view spelling(const Token& token) const;
-    SourceSpan span(const Token& token) const;
+    SourceSpan span(const Token& token) const { return {{program_->file, token.offset}, token.length}; }
     [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {}) const;
     [[noreturn]] void fail_expected(TokenKind kind);
     [[noreturn]] void fail_unexpected(const std::string& expected);
@@ -157,6 +157,8 @@ private:
     /// What the name under the cursor stands for, subscripts and all, or nullptr. The token stays; advance() goes
     /// behind the subscripts.
     const Value* named_value(const Token& name) {
+        if (&name == element_.name)
+            return &element_value(name, *element_.value);
         const Binding* binding = lookup(name);
         if (!binding || !std::holds_alternative<ArrayRef>(binding->value))
             return binding ? &binding->value : nullptr;
@@ -262,6 +264,9 @@ private:
     bool starts_object();
     bool starts_shape(); ///< an object or the name of one
     Shape object();
+    void sphere_item();
+    bool plain_end(Surface& surface);
+    Sphere<double> sphere_numbers();
     void sphere(Shape& shape);
     void literal_sphere(Shape& shape);
     void plane(Shape& shape);

@@ -167,6 +167,16 @@ void SceneBuilder::reserve_spheres(size_t count) {
     program_.sphere_materials.reserve(count);
 }
 
+void SceneBuilder::add_sphere(const Sphere<double>& sphere, const Surface& surface, uint32_t default_texture) {
+    const uint32_t texture = surface.texture == Surface::none ? default_texture : surface.texture;
+    if (texture != last_texture_) {
+        last_texture_ = texture;
+        last_material_ = material({.texture = texture}, default_texture);
+    }
+    program_.spheres.push_back(sphere);
+    program_.sphere_materials.push_back(last_material_);
+}
+
 void SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
     for (const auto& [sphere, surface] : shape.spheres) {
         program_.spheres.push_back(sphere);

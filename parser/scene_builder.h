@@ -44,6 +44,8 @@ public:
     uint32_t material(const Surface& surface, uint32_t default_texture);
 
     void reserve_spheres(size_t count);
+    /// A sphere whose surface is a texture or nothing.
+    void add_sphere(const Sphere<double>& sphere, const Surface& surface, uint32_t default_texture);
     void add_shape(const Shape& shape, uint32_t default_texture);
 
     SceneProgram finish_program() { return std::move(program_); }
@@ -76,6 +78,8 @@ private:
     InternTable<Interior> interiors_;
     InternTable<Material> materials_;
     InternTable<Affine<double>> transforms_;
+    uint32_t last_texture_ = Surface::none; // of add_sphere
+    uint32_t last_material_ = 0;
 };
 
 /// Maps a shape, with its textures, forward by `map`; `inverse` is its inverse.

@@ -106,6 +106,10 @@ TEST_CASE("arrays: neither their depth nor a change while they are read does har
                    "#declare A = B; #end") == "arrays stand in each other more than 100 deep");
     CHECK(value_after("#declare A = array[2] { 1, 2 } #macro Shrink() #declare A = array[1] { 7 } 1 #end",
                       "A[Shrink()]") == 2);
+    CHECK(scene_of("#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 2 } } #macro Shrink() #declare A = 7; 1 #end "
+                   "A[Shrink()]")
+              .spheres[0]
+              .radius == 2);
     CHECK(error_of("#declare A = array[2] { 1, 2 } #macro Shrink() #declare A = array[1] { 7 } 1 #end "
                    "#declare A[1] = Shrink();") == "the array changed while the value of its element was found");
 }
