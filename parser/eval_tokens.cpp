@@ -98,8 +98,8 @@ void Evaluator::fail_refused(const Token& token, std::string_view name, const Re
     const std::string_view advice = word_advice(refused.word);
     const auto supported = reserved_words().first(size_t(Word::first_unsupported));
     if (advice.empty() && refused.word != "write" && std::ranges::find(supported, refused.word) != supported.end())
-        fail(token, fmt::format("Proxima does not know '{}' of the standard files", name),
-             fmt::format("declare it in the scene, with its {}", refused.word));
+        fail(token, fmt::format("'{}' needs the {} of its file, which Proxima does not know", name, refused.word),
+             "declare it in the scene, as the file does");
     fail(token, fmt::format("'{}' needs '{}', which Proxima does not support", name, refused.word),
          advice.empty() ? "declare something of your own instead" : std::string(advice));
 }

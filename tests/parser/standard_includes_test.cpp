@@ -123,7 +123,7 @@ TEST_CASE("standard includes: a name that needs what Proxima lacks is there, and
 
 TEST_CASE("standard includes: a name made of supported words alone says that it is not known") {
     CHECK(error_of("#include \"textures.inc\"\nsphere { 0, 1 pigment { X_Gradient } }") ==
-          "Proxima does not know 'X_Gradient' of the standard files");
+          "'X_Gradient' needs the gradient of its file, which Proxima does not know");
 }
 
 TEST_CASE("standard includes: what a refused name is said to need is indeed refused") {
