@@ -7,7 +7,8 @@
 
 namespace proxima {
 
-template <class Real> struct LayerStack {
+/// `plain`: all pigments are colours or checkers.
+template <class Real, bool plain> struct LayerStack {
     const SceneView<Real>& scene;
     const Surface<Real>& surface;
     Real cosine; ///< between the normal and the direction back along the ray
@@ -25,7 +26,8 @@ template <class Real> struct LayerStack {
         for (uint32_t i = material.layer_count; i-- > 0;) {
             const Layer& layer = surfaces.layers[material.first_layer + i];
             const Finish& finish = surfaces.finishes[layer.finish];
-            const LayerColor<Real> color = layer_color(surfaces, surfaces.pigments[layer.pigment], surface.point);
+            const LayerColor<Real> color =
+                layer_color<plain>(surfaces, surfaces.pigments[layer.pigment], surface.point);
             visit(finish, color, above);
             above *= color.transmission;
             if (finish.conserve_energy && (material.flags & material_reflective)) {

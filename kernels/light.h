@@ -81,15 +81,19 @@ HD_RARE LightRay<Real> directed_light_ray(const Light<Real>& light, const Vec3<R
     return ray;
 }
 
+/// The way from a point to another.
+template <class Real> HD LightRay<Real> straight_light_ray(const Vec3<Real>& from, const Vec3<Real>& to) {
+    const Vec3<Real> way = to - from;
+    const Real distance = glm::length(way);
+    return {way / distance, distance};
+}
+
 /// The way from a point to a light, or to a place `offset` from its centre.
 template <class Real>
 HD LightRay<Real> light_ray(const Light<Real>& light, const Vec3<Real>& point,
                             const Vec3<Real>& offset = Vec3<Real>(Real(0))) {
-    if (!light.is_plain())
-        return directed_light_ray(light, point, offset);
-    const Vec3<Real> way = light.position + offset - point;
-    const Real distance = glm::length(way);
-    return {way / distance, distance};
+    return light.is_plain() ? straight_light_ray(point, light.position + offset)
+                            : directed_light_ray(light, point, offset);
 }
 
 /// 0 below `low`, 1 from `high` on, and a cubic without corners in between.

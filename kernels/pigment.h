@@ -21,21 +21,22 @@ template <class Real> HD bool is_odd_checker_cell(const Vec3<Real>& p) {
     return cells - Real(2) * round_down(cells / Real(2)) != 0;
 }
 
-/// A pigment's colour at a point of the world.
-template <class Real>
+/// A pigment's colour at a point of the world. `plain`: it is known to be a colour or a checker.
+template <bool plain = false, class Real>
 HD MixedColor<Real> pigment_color(const SurfacesView<Real>& surfaces, const Pigment& pigment, const Vec3<Real>& point) {
     if (pigment.kind == PigmentKind::solid)
         return mixed_color<Real>(pigment.color);
     const bool moved = pigment.transform != Pigment::no_transform;
     const Vec3<Real> seen = moved ? surfaces.transforms[pigment.transform].point(point) : point;
-    if (pigment.kind == PigmentKind::checker)
-        return mixed_color<Real>(is_odd_checker_cell(seen) ? pigment.second_color : pigment.color);
-    return pattern_color(surfaces, pigment, seen);
+    if constexpr (!plain)
+        if (pigment.kind != PigmentKind::checker)
+            return pattern_color(surfaces, pigment, seen);
+    return mixed_color<Real>(is_odd_checker_cell(seen) ? pigment.second_color : pigment.color);
 }
 
-template <class Real>
+template <bool plain = false, class Real>
 HD LayerColor<Real> layer_color(const SurfacesView<Real>& surfaces, const Pigment& pigment, const Vec3<Real>& point) {
-    const MixedColor<Real> color = pigment_color(surfaces, pigment, point);
+    const MixedColor<Real> color = pigment_color<plain>(surfaces, pigment, point);
     LayerColor<Real> layer;
     layer.rgb = color.rgb;
     layer.transmission = layer.rgb * color.filter + Vec3<Real>(color.transmit);

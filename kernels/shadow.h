@@ -23,12 +23,13 @@ template <bool filters, class Real, class Path>
 HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Path>& surface, const Vec3<Path>& to_light,
                              Real distance, InteriorList& interiors) {
     const Real margin = scene.limits.shadow_margin;
-    const bool inward = glm::dot(surface.outward, to_light) < 0; // as to an area light's places behind the horizon
+    // Only an area light has places behind the horizon, and only bodies lit from both sides turn theirs to a light.
+    const bool inward = filters ? glm::dot(surface.outward, to_light) < 0 : surface.from_inside;
     const SourcedRay<Path> ray = leave(shapes_of<Path>(scene), surface, to_light, inward);
     // The body itself stands in the way. POV-Ray's margin is a smaller one here: its shadow cache knows the body.
     constexpr uint32_t lets_through = material_transparent | material_no_shadow;
-    if (inward && ray.source.exit > Path(scene.limits.nearest) && ray.source.exit < Path(distance - margin) &&
-        !(scene.surfaces.materials[surface.material].flags & lets_through))
+    if (filters && inward && ray.source.exit > Path(scene.limits.nearest) &&
+        ray.source.exit < Path(distance - margin) && !(scene.surfaces.materials[surface.material].flags & lets_through))
         return Vec3<Real>(Real(0));
     const BasedRay<Real> based = rebase(ray, scene.geometry.bounds);
     if constexpr (!filters) {

@@ -10,7 +10,9 @@
 
 namespace proxima {
 
-/// What a scene's materials can do; TracePixels is compiled for each.
+/// What a scene has; TracePixels is compiled for each. All but the last are plain: point lights, colours and checkers,
+/// no sky sphere, no fog, nothing hidden from some rays or lit from both sides. What a kernel can do it pays for, in
+/// registers at least, whether it is done or not.
 enum class Features : uint32_t {
     opaque,  ///< no reflection, no transparency
     mirrors, ///< opaque; at most one layer of a material reflects, and without an exponent
@@ -24,7 +26,8 @@ using PathPrecision = std::conditional_t<features == Features::opaque, Real, dou
 
 /// Follows the paths of one thread. `sum` is the light found so far.
 template <class Real, Features features> struct Tracer {
-    static constexpr bool transparent = features == Features::all;
+    static constexpr bool plain = features != Features::all;
+    static constexpr bool transparent = !plain;
     using Path = PathPrecision<Real, features>;
     using State = PathState<Real, Path>;
 
@@ -54,14 +57,14 @@ template <class Real, Features features> struct Tracer {
             return false;
         const BasedRay<Real> based = rebase(path.ray, scene.geometry.bounds);
         const HitLimits<Real>& limits = scene.limits;
-        const uint32_t hidden = scene.has_hidden ? path.hidden : 0u;
+        const uint32_t hidden = !plain && scene.has_hidden ? path.hidden : 0u;
         const Hit<Real> hit = find_nearest(scene, based, path.passed, limits.nearest, limits.farthest, hidden);
         const Vec3<Real> direction(path.ray.ray.direction);
         if constexpr (transparent)
             if (!scene.fogs.empty())
                 pass_fog(path, based, hit);
         if (hit.primitive == no_primitive) {
-            sum += path.throughput * sky_light(scene, direction);
+            sum += path.throughput * (plain ? Vec3<Real>(scene.background) : sky_light(scene, direction));
             return false;
         }
         const Surface<Path> surface = surface_at(scene, path.ray, based, hit);
@@ -69,7 +72,7 @@ template <class Real, Features features> struct Tracer {
         Real ior = Real(1);
         if constexpr (features != Features::opaque)
             ior = far_over_near_ior(scene, interiors, surface.primitive);
-        const LayerStack<Real> layers{scene, seen, -glm::dot(direction, seen.normal), ior};
+        const LayerStack<Real, plain> layers{scene, seen, -glm::dot(direction, seen.normal), ior};
         sum += path.throughput * layers.glow();
         for (const Light<Real>& light : scene.lights)
             sum += path.throughput * light_from(light, surface, layers, direction);
@@ -95,21 +98,23 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// What the surface sends back of one light.
-    HD Vec3<Real> light_from(const Light<Real>& light, const Surface<Path>& surface, const LayerStack<Real>& layers,
-                             const Vec3<Real>& eye_direction) {
-        const LightRay<Real> ray = light_ray(light, layers.surface.point);
+    HD Vec3<Real> light_from(const Light<Real>& light, const Surface<Path>& surface,
+                             const LayerStack<Real, plain>& layers, const Vec3<Real>& eye_direction) {
+        const Vec3<Real>& point = layers.surface.point;
+        const LightRay<Real> ray = plain ? straight_light_ray(point, light.position) : light_ray(light, point);
         const LightGeometry<Real> geometry{layers.surface.normal, ray.direction, eye_direction};
         if (!(glm::dot(geometry.normal, geometry.to_light) >= Real(1e-10)) &&
-            !(scene.surfaces.materials[surface.material].flags & material_double_illuminate))
+            (plain || !(scene.surfaces.materials[surface.material].flags & material_double_illuminate)))
             return Vec3<Real>(Real(0));
-        Vec3<Real> arriving = Vec3<Real>(light.color) * light_share(light, layers.surface.point, ray);
+        Vec3<Real> arriving =
+            Vec3<Real>(light.color) * (plain ? light_fade(light, ray.distance) : light_share(light, point, ray));
         if (arriving == Vec3<Real>(Real(0)))
             return arriving;
         if (light.shadowless)
             return layers.reflected(geometry, arriving, false);
-        if (light.area == Light<Real>::no_area)
+        if (plain || light.area == Light<Real>::no_area)
             arriving *= light_arriving<transparent>(scene, surface, Vec3<Path>(ray.direction), ray.distance, interiors);
-        else
+        else if constexpr (!plain)
             arriving *= area_light_arriving<transparent>(scene, light, surface, arriving, interiors, noise);
         if (arriving == Vec3<Real>(Real(0)))
             return arriving;
@@ -117,8 +122,8 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// The transmitted ray waits longest, so that at most one set of a surface's rays waits for each level of a path.
-    HD bool go_on(State& path, const Surface<Path>& surface, const LayerStack<Real>& layers, const Hit<Real>& hit,
-                  Real distance) {
+    HD bool go_on(State& path, const Surface<Path>& surface, const LayerStack<Real, plain>& layers,
+                  const Hit<Real>& hit, Real distance) {
         if (path.level + 1 >= scene.max_trace_level)
             return false; // even for a ray that goes straight on, which takes no level
         const bool reflects = scene.surfaces.materials[surface.material].flags & material_reflective;
@@ -171,7 +176,7 @@ template <class Real, Features features> struct Tracer {
     }
 
     /// Leads a path along the mirrored ray. Of several layers that reflect, all but one leave a path pending.
-    HD bool reflect(State& path, const Surface<Path>& surface, const LayerStack<Real>& layers) {
+    HD bool reflect(State& path, const Surface<Path>& surface, const LayerStack<Real, plain>& layers) {
         const Vec3<Path> direction = mirrored(path.ray.ray.direction, surface.normal);
         const Vec3<Real> throughput = path.throughput;
         const Real weight = path.weight;

@@ -181,6 +181,19 @@ private:
     float gamma_ = 1.0f;
 };
 
+/// Whether a scene has only what all kernels can do: see Features.
+inline bool is_plain(const SceneProgram& scene) {
+    constexpr uint32_t special = material_no_image | material_no_reflection | material_double_illuminate;
+    return scene.fogs.empty() && scene.sky.pigments.empty() &&
+           std::none_of(scene.materials.begin(), scene.materials.end(),
+                        [](const Material& m) { return (m.flags & special) != 0; }) &&
+           std::all_of(
+               scene.pigments.begin(), scene.pigments.end(),
+               [](const Pigment& p) { return p.kind == PigmentKind::solid || p.kind == PigmentKind::checker; }) &&
+           std::all_of(scene.lights.begin(), scene.lights.end(),
+                       [](const Light<double>& l) { return l.is_plain() && l.area == Light<double>::no_area; });
+}
+
 inline SceneNeeds needs_of(const SceneProgram& scene) {
     SceneNeeds needs;
     uint32_t most_rays = 0;
@@ -203,8 +216,7 @@ inline SceneNeeds needs_of(const SceneProgram& scene) {
         }
         most_rays = std::max(most_rays, rays);
     }
-    const bool follows_interiors = !scene.fogs.empty(); // there is none in objects
-    if (!transparent && !branches && !has_exponent && !follows_interiors) {
+    if (!transparent && !branches && !has_exponent && is_plain(scene)) {
         needs.features = reflective ? Features::mirrors : Features::opaque;
         return needs;
     }
