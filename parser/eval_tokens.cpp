@@ -3,7 +3,6 @@
 #include "parser/evaluator.h"
 #include "parser/standard_includes.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace proxima {
@@ -96,10 +95,6 @@ void Evaluator::fail_unexpected(const std::string& expected) {
 
 void Evaluator::fail_refused(const Token& token, std::string_view name, const Refused& refused) {
     const std::string_view advice = word_advice(refused.word);
-    const auto supported = reserved_words().first(size_t(Word::first_unsupported));
-    if (advice.empty() && refused.word != "write" && std::ranges::find(supported, refused.word) != supported.end())
-        fail(token, fmt::format("'{}' needs the {} of its file, which Proxima does not know", name, refused.word),
-             "declare it in the scene, as the file does");
     fail(token, fmt::format("'{}' needs '{}', which Proxima does not support", name, refused.word),
          advice.empty() ? "declare something of your own instead" : std::string(advice));
 }

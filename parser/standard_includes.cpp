@@ -47,7 +47,7 @@ const StandardFile files[] = {
     {"strings.inc", "STRINGS_INC_TEMP", strings, strings_refused},
     {"textures.inc", "Textures_Inc_Temp", textures, textures_refused},
     {"transforms.inc", "TRANSFORMS_INC_TEMP", transforms, transforms_refused},
-    {"woodmaps.inc", "Woodmaps_Inc_Temp", nullptr, woodmaps_refused},
+    {"woodmaps.inc", "Woodmaps_Inc_Temp", woodmaps, {}},
     {"woods.inc", "Woods_Inc_Temp", woods, woods_refused},
 };
 

@@ -8,11 +8,9 @@ namespace proxima::standard {
 // clang-format off
 inline constexpr RefusedNames skies_refused[] = {
     {"bozo",
-     "P_Cloud1 P_Cloud3 S_Cloud5 T_Cloud1 O_Cloud1 T_Cloud2 T_Cloud3 O_Cloud2"},
+     "P_Cloud1 P_Cloud3 S_Cloud4 S_Cloud5 T_Cloud1 O_Cloud1 T_Cloud2 T_Cloud3 O_Cloud2"},
     {"wrinkles",
-     "P_Cloud2 P_Cloud4"},
-    {"gradient",
-     "S_Cloud1 S_Cloud2 S_Cloud3 S_Cloud4"},
+     "P_Cloud2 P_Cloud4 S_Cloud1 S_Cloud2 S_Cloud3"},
 };
 
 inline constexpr RefusedNames stars_refused[] = {
@@ -56,9 +54,6 @@ inline constexpr RefusedNames stones2_refused[] = {
 };
 
 inline constexpr RefusedNames textures_refused[] = {
-    {"color_map",
-     "Jade_Map Red_Marble_Map White_Marble_Map Blood_Marble_Map Blue_Agate_Map Sapphire_Agate_Map "
-     "Brown_Agate_Map Pink_Granite_Map Blue_Sky_Map Lightning_CMap1 Lightning_CMap2"},
     {"marble",
      "Jade Red_Marble White_Marble Blood_Marble Lightning1"},
     {"agate",
@@ -74,23 +69,12 @@ inline constexpr RefusedNames textures_refused[] = {
      "Spun_Brass"},
     {"bumps",
      "Brushed_Aluminum"},
-    {"gradient",
-     "Candy_Cane Peel Y_Gradient X_Gradient Irregular_Bricks_Ptrn"},
     {"ripples",
      "Water M_Water"},
-    {"radial",
+    {"pigment_pattern",
      "Hex_Tiles_Ptrn Star_Ptrn"},
-    {"boxed",
-     "Tiles_Ptrn"},
-};
-
-inline constexpr RefusedNames woodmaps_refused[] = {
-    {"color_map",
-     "M_Wood1A M_Wood1B M_Wood2A M_Wood2B M_Wood3A M_Wood3B M_Wood4A M_Wood4B M_Wood5A M_Wood5B M_Wood6A "
-     "M_Wood6B M_Wood7A M_Wood7B M_Wood8A M_Wood8B M_Wood9A M_Wood9B M_Wood10A M_Wood10B M_Wood11A M_Wood11B "
-     "M_Wood12A M_Wood12B M_Wood13A M_Wood13B M_Wood19A M_Wood19B"},
-    {"colour_map",
-     "M_Wood14A M_Wood14B M_Wood15A M_Wood15B M_Wood16A M_Wood16B M_Wood17A M_Wood17B M_Wood18A M_Wood18B"},
+    {"warp",
+     "Irregular_Bricks_Ptrn Tiles_Ptrn"},
 };
 
 inline constexpr RefusedNames woods_refused[] = {
@@ -102,11 +86,9 @@ inline constexpr RefusedNames woods_refused[] = {
      "P_WoodGrain17B P_WoodGrain18A P_WoodGrain18B P_WoodGrain19A T_Wood1 T_Wood2 T_Wood3 T_Wood4 T_Wood5 "
      "T_Wood6 T_Wood7 T_Wood8 T_Wood9 T_Wood10 T_Wood11 T_Wood12 T_Wood13 T_Wood14 T_Wood15 T_Wood16 T_Wood17 "
      "T_Wood18 T_Wood19 T_Wood20 T_Wood21 T_Wood22 T_Wood23 T_Wood24 T_Wood25 T_Wood26 T_Wood27 T_Wood28 "
-     "T_Wood29 T_Wood30 T_Wood31 T_Wood32 T_Wood33 T_Wood35"},
+     "T_Wood29 T_Wood30 T_Wood31 T_Wood32 T_Wood33 T_Wood34 T_Wood35"},
     {"bozo",
      "P_WoodGrain4B P_WoodGrain7B P_WoodGrain12A P_WoodGrain15A P_WoodGrain16A P_WoodGrain19B"},
-    {"onion",
-     "T_Wood34"},
 };
 
 // clang-format on

@@ -113,7 +113,7 @@ std::string textures() {
     for (const auto& [material, texture] : glasses)
         text += fmt::format("#declare M_{} = material {{ texture {{ {} }} interior {{ Glass_Interior }} }}\n", material,
                             texture);
-    return text;
+    return text + texture_maps();
 }
 
 } // namespace proxima::standard

@@ -39,8 +39,10 @@ std::string stones();
 std::string stones1();
 std::string stones2();
 std::string strings();
+std::string texture_maps(); ///< a part of textures.inc
 std::string textures();
 std::string transforms();
+std::string woodmaps();
 std::string woods();
 
 /// A name and the terms of its color.
