@@ -178,15 +178,9 @@ Terms Evaluator::call_function(const Token& token) {
         result = string_function(token);
     } else {
         switch (word) {
-        case Word::rand: {
-            const Token& at = peek();
-            const double stream = argument();
-            if (!random_.has(stream))
-                fail(at, "this is no stream of random numbers", "a stream comes from seed: #declare R = seed(1);");
-            result = random_.next(uint32_t(stream));
-            ++changes_;
+        case Word::rand:
+            result = random_number();
             break;
-        }
         case Word::seed: {
             const double start = argument();
             if (!fits_integer(start))
@@ -266,6 +260,16 @@ Terms Evaluator::call_function(const Token& token) {
     }
     expect(TokenKind::right_paren);
     return result;
+}
+
+/// The next number of the stream that is read here.
+double Evaluator::random_number() {
+    const Token& at = peek();
+    const double stream = argument();
+    if (!random_.has(stream))
+        fail(at, "this is no stream of random numbers", "a stream comes from seed: #declare R = seed(1);");
+    ++changes_;
+    return random_.next(uint32_t(stream));
 }
 
 double Evaluator::argument() {

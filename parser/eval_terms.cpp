@@ -80,7 +80,15 @@ namespace {
 
 /// Whether nothing that stands before this token goes on behind it. A '>' closes a vector: relations need parentheses.
 bool ends_number(TokenKind kind) {
-    return kind == TokenKind::comma || kind == TokenKind::right_angle || kind == TokenKind::right_brace;
+    return kind == TokenKind::comma || kind == TokenKind::right_angle || kind == TokenKind::right_brace ||
+           kind == TokenKind::right_paren;
+}
+
+/// Whether these tokens are FUNCTION ( NAME ) before the end of a number, with no directive among them.
+bool is_plain_call(const Token* token) {
+    return token[1].kind == TokenKind::left_paren && token[2].kind == TokenKind::name &&
+           token[2].directive == Directive::none && token[3].kind == TokenKind::right_paren &&
+           ends_number(token[4].kind);
 }
 
 } // namespace
@@ -100,6 +108,14 @@ double Evaluator::number() {
             advance();
             return value;
         }
+    }
+    // In loops it is a random one.
+    if (token.kind == TokenKind::word && token.index == uint32_t(Word::rand) && is_plain_call(&token)) {
+        advance();
+        advance();
+        const double value = random_number();
+        advance();
+        return value;
     }
     const SourceSpan place = span(token);
     const Terms terms = sum();

@@ -223,6 +223,7 @@ private:
     // eval_functions.cpp
     Terms call_function(const Token& word);
     double argument();
+    double random_number();
     void separator();
     double checked(const Token& at, double value);
 
