@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
     std::string reason;
     const auto devices = proxima::list_cuda_devices(reason);
     if (devices.empty()) {
-        std::printf("skipped: %s\n", reason.c_str());
+        std::printf("skipped: GPU tests: %s\n", reason.c_str());
         return skipped;
     }
     for (const proxima::DeviceDescription& device : devices)
