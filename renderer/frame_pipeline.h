@@ -83,27 +83,21 @@ private:
     /// A grid, or a cloud over a finer one: as asked for, or by what is found in between the primitives. A size that
     /// is asked for is a grid's unless a cloud is, too.
     void build_grid(const FrameSettings& settings, SceneView<Real>& scene, FrameStatistics& statistics) {
+        const GridPlan cloud{.size = settings.grid,
+                             .voxels_per_primitive = 32,
+                             .brick = settings.brick ? settings.brick : 4,
+                             .metric = settings.metric};
         const bool chooses = settings.accelerator == Accelerator::automatic && settings.grid[0] == 0;
-        const bool looks = chooses && choice_.is_due(scene.geometry.round_count());
-        const bool clouds = settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud());
-        if (looks || clouds) {
-            build_cloud(settings, scene, statistics);
-            if (looks)
-                choice_.report(statistics.mean_distance);
-            if (clouds || choice_.uses_cloud())
-                return;
-        }
-        statistics.brick = 0;
-        grid_.build(scene, {.size = settings.grid}, statistics);
+        if (chooses && choice_.is_due(scene.geometry.round_count()))
+            choice_.report(grid_.mean_distance(scene, cloud));
+        if (settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud()))
+            build_cloud(cloud, scene, statistics);
+        else
+            grid_.build(scene, {.size = settings.grid}, statistics);
     }
 
-    void build_cloud(const FrameSettings& settings, SceneView<Real>& scene, FrameStatistics& statistics) {
-        grid_.build(scene,
-                    {.size = settings.grid,
-                     .voxels_per_primitive = 32,
-                     .brick = settings.brick ? settings.brick : 4,
-                     .metric = settings.metric},
-                    statistics);
+    void build_cloud(const GridPlan& plan, SceneView<Real>& scene, FrameStatistics& statistics) {
+        grid_.build(scene, plan, statistics);
         backend_.synchronize();
         const auto listed = Clock::now();
         if (scene.grid.in_use())

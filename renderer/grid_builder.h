@@ -84,6 +84,21 @@ public:
         }
     }
 
+    /// The mean distance over the empty bricks of the cloud that `plan` would make: only its bricks are marked, and no
+    /// lists are made.
+    double mean_distance(SceneView<Real> scene, const GridPlan& plan) {
+        if (bounded_ == 0)
+            return 0;
+        const Vec3<double> extent(scene.geometry.bounds.upper - scene.geometry.bounds.lower);
+        GridRule rule;
+        rule.voxels_per_primitive = plan.voxels_per_primitive;
+        scene.grid = grid_over(scene.geometry.bounds, grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule),
+                               plan.brick);
+        scene.grid.cloud = cloud_.mark(scene, plan.metric);
+        cloud_.measure(scene.grid.cloud);
+        return cloud_.mean_distance();
+    }
+
     /// Measures the cloud's distances. The scene's grid must have been built with one.
     void build_distances(SceneView<Real>& scene, FrameStatistics& statistics) {
         cloud_.measure(scene.grid.cloud);
