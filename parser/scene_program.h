@@ -7,6 +7,7 @@
 #include "kernels/geometry.h"
 #include "kernels/light.h"
 #include "kernels/material.h"
+#include "parser/motion_programs.h"
 
 #include <cstdint>
 #include <vector>
@@ -58,6 +59,9 @@ struct SceneProgram {
     WorkingCurve working_curve = WorkingCurve::linear;
     float working_gamma = 1.0f;       ///< the exponent of WorkingCurve::power
     bool legacy_transparency = false; ///< version < 3.7: opacity is 1 - (filter * max(r, g, b) + transmit)
+
+    /// How the numbers above, which are those of one frame, follow from the time of others.
+    MotionPrograms motion;
 
     /// The script read clock, frame_number or the like: another frame may be another scene.
     bool depends_on_time = false;

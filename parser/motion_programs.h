@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of a scene that follows from the time of the frame: programs for its moving spheres, and for any other
+// number of a SceneProgram that moves.
+#pragma once
+#include "kernels/motion.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace proxima {
+
+struct SceneProgram;
+
+/// A number in a SceneProgram: `offset` bytes into record `index` of one of its arrays, or into its only one.
+struct MotionField {
+    enum class Table : uint8_t {
+        ellipsoids,
+        planes,
+        pigments,
+        patterns,
+        color_stops,
+        finishes,
+        interiors,
+        transforms,
+        lights,
+        area_lights,
+        fogs,
+        camera,
+        scene, ///< the SceneProgram itself: background and the like
+    };
+    enum class Type : uint8_t { float32, float64 };
+
+    Table table = Table::scene;
+    Type type = Type::float64;
+    uint32_t index = 0;
+    uint32_t offset = 0;
+};
+
+/// The arrays behind a MotionView. Programs of one target stand together: those of spheres first.
+struct MotionPrograms {
+    std::vector<MotionProgram> programs;
+    std::vector<MotionInstruction> instructions;
+    std::vector<uint8_t> outputs;
+    std::vector<double> shared;
+    std::vector<double> constants;
+    std::vector<uint32_t> targets; ///< of spheres: their ids
+    std::vector<MotionField> fields;
+    uint32_t sphere_programs = 0;
+    uint32_t moving_spheres = 0; ///< the instances of the first `sphere_programs` programs
+
+    bool empty() const { return programs.empty(); }
+    MotionView view() const { return {programs, instructions, outputs, shared, constants, targets}; }
+};
+
+/// Sets the numbers that are fields to what they are at `time`. False when one is not finite on the way.
+bool move_fields(SceneProgram& scene, const MotionTime& time);
+
+} // namespace proxima
