@@ -20,10 +20,6 @@ template <class Operation> void combine(Terms& left, Terms right, Operation oper
         left.value[i] = operation(left.value[i], right.value[i]);
 }
 
-bool is_true(double value) {
-    return std::abs(value) > 1e-10;
-}
-
 bool compare(TokenKind relation, double a, double b) {
     constexpr double epsilon = 1e-10;
     switch (relation) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 
 namespace proxima {
@@ -65,11 +64,6 @@ Function function_of_one(Word word) {
     default:
         return nullptr;
     }
-}
-
-/// Whether POV-Ray's conversion to an integer keeps the value.
-bool fits_integer(double x) {
-    return x >= std::numeric_limits<int32_t>::min() && x <= std::numeric_limits<int32_t>::max();
 }
 
 double bitwise(Word word, double a, double b) {

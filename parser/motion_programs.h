@@ -9,9 +9,9 @@
 
 namespace proxima {
 
-struct SceneProgram;
+struct SceneTables;
 
-/// A number in a SceneProgram: `offset` bytes into record `index` of one of its arrays, or into its only one.
+/// A number in SceneTables: `offset` bytes into record `index` of one of its arrays, or into its only one.
 struct MotionField {
     enum class Table : uint8_t {
         ellipsoids,
@@ -26,7 +26,7 @@ struct MotionField {
         area_lights,
         fogs,
         camera,
-        scene, ///< the SceneProgram itself: background and the like
+        scene, ///< SceneTables itself: background and the like
     };
     enum class Type : uint8_t { float32, float64 };
 
@@ -53,6 +53,6 @@ struct MotionPrograms {
 };
 
 /// Sets the numbers that are fields to what they are at `time`. False when one is not finite on the way.
-bool move_fields(SceneProgram& scene, const MotionTime& time);
+bool move_fields(SceneTables& tables, const MotionPrograms& motion, const MotionTime& time);
 
 } // namespace proxima

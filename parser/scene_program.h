@@ -28,10 +28,9 @@ struct SkySphere {
     glm::vec3 emission{1.0f};
 };
 
-struct SceneProgram {
-    // Geometry. Spheres are two arrays of one length; ids count spheres, then ellipsoids, then planes.
-    std::vector<Sphere<double>> spheres;
-    std::vector<uint32_t> sphere_materials;
+/// All of a scene but its spheres: what is small enough to be sent to a device anew for every frame.
+struct SceneTables {
+    // More geometry: ids count spheres, then ellipsoids, then planes.
     std::vector<Ellipsoid<double>> ellipsoids;
     std::vector<Plane<double>> planes;
 
@@ -59,6 +58,12 @@ struct SceneProgram {
     WorkingCurve working_curve = WorkingCurve::linear;
     float working_gamma = 1.0f;       ///< the exponent of WorkingCurve::power
     bool legacy_transparency = false; ///< version < 3.7: opacity is 1 - (filter * max(r, g, b) + transmit)
+};
+
+struct SceneProgram : SceneTables {
+    // Two arrays of one length.
+    std::vector<Sphere<double>> spheres;
+    std::vector<uint32_t> sphere_materials;
 
     /// How the numbers above, which are those of one frame, follow from the time of others.
     MotionPrograms motion;
