@@ -5,13 +5,13 @@
 #include "renderer/choose_renderer.h"
 #include "renderer/commands.h"
 #include "renderer/errors.h"
-#include "renderer/frame_writer.h"
-#include "renderer/image_file.h"
+#include "renderer/frame_finisher.h"
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
 
 #include <cstdio>
 #include <fmt/format.h>
+#include <functional>
 #include <future>
 #include <tbb/global_control.h>
 
@@ -32,34 +32,6 @@ void write_statistics(const RenderOptions& options, const RunRecord& run) {
     write_file(*options.stats_json, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
-/// Turns a rendered picture into its file: the writer's side of the run.
-struct FrameFinisher {
-    const RenderOptions& options;
-    const std::optional<ColorTransform>& color; ///< empty for scene-linear files
-    ImageEncoder& encoder;
-    Progress& progress;
-
-    void operator()(FinishedFrame& frame) const {
-        FrameRecord& record = frame.record;
-        timed(record.color_ms, [&] {
-            record.replaced_samples = replace_non_finite(frame.image);
-            if (color)
-                color->apply(frame.image);
-        });
-        if (record.replaced_samples > 0)
-            progress.note(fmt::format("frame {}: {} samples were not finite; NaN became 0, infinity 65504",
-                                      record.frame, record.replaced_samples));
-        const ImageFileSettings settings{.format = options.output->format(),
-                                         .type = options.type,
-                                         .color_encoding = color ? color->encoding() : "Linear",
-                                         .scene = options.scene.scene.filename().string(),
-                                         .frame = record.frame};
-        const auto bytes = timed(record.encode_ms, [&] { return encoder.encode(frame.image, settings); });
-        timed(record.write_ms, [&] { write_file(record.file, bytes); });
-        progress.frame_written(record.frame, record.file);
-    }
-};
-
 } // namespace
 
 void render_command(const RenderOptions& options) {
@@ -69,9 +41,7 @@ void render_command(const RenderOptions& options) {
     std::optional<tbb::global_control> limit;
     if (options.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
-    std::optional<ColorTransform> color;
-    if (!is_scene_linear(options.type))
-        color.emplace(options.color);
+    FrameFinisher finisher(options);
 
     auto starting_renderer = std::async(std::launch::async, choose_renderer, options.device, options.threads);
     SceneSource scene(options.scene);
@@ -89,7 +59,6 @@ void render_command(const RenderOptions& options) {
         progress.note(fmt::format("an animation of one frame has no step from clock to clock (POV-Ray's is NaN then); "
                                   "clock is {} and clock_delta 0",
                                   animation.initial_clock));
-    std::optional<ImageEncoder> encoder;
     std::optional<FrameWriter> writer;
     for (const int64_t frame : animation.frames) {
         if (stop.caught())
@@ -101,8 +70,8 @@ void render_command(const RenderOptions& options) {
             scene.release_program();
         }
         if (is_first) { // loading it beside the first frame's rendering hides what it costs
-            encoder.emplace();
-            writer.emplace(FrameFinisher{options, color, *encoder, progress});
+            finisher.start(progress);
+            writer.emplace(std::ref(finisher));
         }
         FinishedFrame finished{writer->take_image(), {}};
         finished.record = {.frame = frame,
