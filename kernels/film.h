@@ -114,4 +114,19 @@ struct ResolvePixels {
     }
 };
 
+/// Pixel -> the mean of several pictures: run once for each of them in turn, it leaves the mean in the last one.
+struct AverageExposures {
+    std::span<glm::vec3> picture;
+    std::span<glm::vec3> sum;
+    uint32_t exposure = 0; ///< the picture's number, from 0
+    uint32_t exposures = 1;
+
+    HD void operator()(uint32_t index) const {
+        const glm::vec3 total = exposure == 0 ? picture[index] : sum[index] + picture[index];
+        sum[index] = total;
+        if (exposure + 1 == exposures)
+            picture[index] = total / float(exposures);
+    }
+};
+
 } // namespace proxima

@@ -14,6 +14,8 @@ struct MotionTime {
     double clock = 0;
     double frame_number = 0;
     double clock_delta = 0;
+
+    friend bool operator==(const MotionTime&, const MotionTime&) = default;
 };
 
 /// What an operand's byte means: a register, a part of MotionTime, a constant of the program or one of the instance.
@@ -102,5 +104,37 @@ HD inline bool evaluate(const MotionView& motion, const MotionProgram& program, 
         results[k] = operand(motion.outputs[program.first_output + k]);
     return finite;
 }
+
+/// Puts every moving sphere where it is at `time`. One call for each instance of the programs whose target is spheres;
+/// `exact` is empty or the same spheres in double.
+template <class Real> struct MoveSpheres {
+    MotionView motion;
+    MotionTime time;
+    std::span<Sphere<Real>> spheres;
+    std::span<Sphere<double>> exact;
+    std::span<uint32_t> failures; ///< one counter: spheres that met a number which is not finite
+
+    HD void operator()(uint32_t instance) const {
+        const MotionProgram& program = motion.programs[program_of(instance)];
+        double sphere[result_count(MotionTarget::sphere)];
+        if (!evaluate(motion, program, instance - program.first_instance, time, sphere))
+            atomic_add(failures.data(), 1);
+        const uint32_t place = motion.targets[instance];
+        const double radius = sphere[3] > 0 ? sphere[3] : 0.0; // a negative one renders nothing
+        spheres[place] = {Vec3<Real>(Real(sphere[0]), Real(sphere[1]), Real(sphere[2])), Real(radius)};
+        if (!exact.empty())
+            exact[place] = {Vec3<double>(sphere[0], sphere[1], sphere[2]), radius};
+    }
+
+    /// The last program that begins at or before `instance`.
+    HD uint32_t program_of(uint32_t instance) const {
+        uint32_t low = 0, high = uint32_t(motion.programs.size());
+        while (high - low > 1) {
+            const uint32_t middle = (low + high) / 2;
+            (motion.programs[middle].first_instance <= instance ? low : high) = middle;
+        }
+        return low;
+    }
+};
 
 } // namespace proxima

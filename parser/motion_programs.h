@@ -10,6 +10,7 @@
 namespace proxima {
 
 struct SceneTables;
+struct SceneProgram;
 
 /// A number in SceneTables: `offset` bytes into record `index` of one of its arrays, or into its only one.
 struct MotionField {
@@ -36,7 +37,8 @@ struct MotionField {
     uint32_t offset = 0;
 };
 
-/// The arrays behind a MotionView. Programs of one target stand together: those of spheres first.
+/// The arrays behind a MotionView. Programs of one target stand together, those of spheres first, and each array holds
+/// what belongs to them in their order.
 struct MotionPrograms {
     std::vector<MotionProgram> programs;
     std::vector<MotionInstruction> instructions;
@@ -52,7 +54,16 @@ struct MotionPrograms {
     MotionView view() const { return {programs, instructions, outputs, shared, constants, targets}; }
 };
 
+/// The programs of fields alone, without what belongs to spheres.
+MotionPrograms field_programs(const MotionPrograms& all);
+
 /// Sets the numbers that are fields to what they are at `time`. False when one is not finite on the way.
 bool move_fields(SceneTables& tables, const MotionPrograms& motion, const MotionTime& time);
+
+/// Moves the spheres that are targets. False as above, or when a radius is not above 0.
+bool move_spheres(std::span<Sphere<double>> spheres, const MotionPrograms& motion, const MotionTime& time);
+
+/// Both: the scene of another frame. When it is false the script has to be evaluated for that frame.
+bool move(SceneProgram& scene, const MotionTime& time);
 
 } // namespace proxima

@@ -5,9 +5,11 @@
 #include "kernels/scene_view.h"
 #include "kernels/trace.h"
 #include "parser/scene_program.h"
+#include "renderer/device_motion.h"
 #include "renderer/spatial_order.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,20 +62,97 @@ struct SceneNeeds {
     uint32_t interior_capacity = 0; ///< primitives that a ray may be inside
 };
 
-SceneNeeds needs_of(const SceneProgram& scene);
+SceneNeeds needs_of(const SceneTables& scene, size_t spheres);
 
 template <class Backend, class Real> class DeviceScene {
 public:
     explicit DeviceScene(Backend& backend)
-        : shapes_(backend), exact_(backend), sphere_materials_(backend), materials_(backend), layers_(backend),
-          pigments_(backend), patterns_(backend), color_stops_(backend), finishes_(backend), interiors_(backend),
-          transforms_(backend), lights_(backend), area_lights_(backend), area_samples_(backend), sky_pigments_(backend),
-          fogs_(backend) {}
+        : motion_(backend), shapes_(backend), exact_(backend), sphere_materials_(backend), materials_(backend),
+          layers_(backend), pigments_(backend), patterns_(backend), color_stops_(backend), finishes_(backend),
+          interiors_(backend), transforms_(backend), lights_(backend), area_lights_(backend), area_samples_(backend),
+          sky_pigments_(backend), fogs_(backend) {}
 
     void upload(const SceneProgram& scene) {
         view_ = {};
-        needs_ = needs_of(scene);
-        upload_geometry(scene);
+        sphere_count_ = uint32_t(scene.spheres.size());
+        tables_move_ = !scene.motion.fields.empty();
+        if (tables_move_) {
+            moving_tables_ = scene;
+            moving_fields_ = field_programs(scene.motion);
+        }
+        upload_spheres(scene);
+        upload_tables(scene);
+        time_.reset();
+    }
+
+    /// Starts moving everything to where it is at `time`. False when a number that is not in a sphere has no finite
+    /// value then.
+    bool move(const MotionTime& time) {
+        if (time_ == time)
+            return true;
+        time_ = time;
+        if (!motion_.empty())
+            motion_.template move<Real>(time, shapes_.spheres.view(), exact_.spheres.view());
+        if (!tables_move_)
+            return true;
+        if (!move_fields(moving_tables_, moving_fields_, time))
+            return false;
+        upload_tables(moving_tables_);
+        return true;
+    }
+    bool moves() const { return !motion_.empty() || tables_move_; }
+    /// Whether a sphere has had no finite place since the last call. Waits for the device.
+    bool take_motion_failure() { return motion_.take_failure(); }
+
+    /// Without grid, limits and large primitives: the frame adds them.
+    const SceneView<Real>& view() const { return view_; }
+    const SceneNeeds& needs() const { return needs_; }
+    FilmCurve curve() const { return curve_; }
+    float gamma() const { return gamma_; }
+
+private:
+    template <class T> using Buffer = typename Backend::template Buffer<T>;
+
+    template <class R> struct Shapes {
+        Buffer<Sphere<R>> spheres;
+        Buffer<Ellipsoid<R>> ellipsoids;
+        Buffer<Plane<R>> planes;
+
+        explicit Shapes(Backend& backend) : spheres(backend), ellipsoids(backend), planes(backend) {}
+        ShapesView<R> view() { return {spheres.view(), ellipsoids.view(), planes.view()}; }
+    };
+
+    void upload_spheres(const SceneProgram& scene) {
+        const std::vector<uint32_t> order = spatial_order(scene);
+        const auto original = [&](size_t i) { return order.empty() ? i : order[i]; };
+        const auto upload = [&]<class R>(Buffer<Sphere<R>>& spheres) {
+            spheres.upload(scene.spheres.size(), [&](size_t i) { return convert<R>(scene.spheres[original(i)]); });
+        };
+        upload(shapes_.spheres);
+        has_exact_ = !std::is_same_v<Real, double> &&
+                     (tables_move_ || needs_of(scene, sphere_count_).features != Features::opaque);
+        if (has_exact_)
+            upload(exact_.spheres);
+        else
+            exact_.spheres.resize(0);
+        sphere_materials_.upload(scene.spheres.size(), [&](size_t i) { return scene.sphere_materials[original(i)]; });
+        motion_.upload(scene.motion, order);
+    }
+
+    void upload_tables(const SceneTables& scene) {
+        needs_ = needs_of(scene, sphere_count_);
+        const auto upload = [&]<class R>(Shapes<R>& shapes) {
+            upload_converted<R>(shapes.ellipsoids, scene.ellipsoids);
+            upload_converted<R>(shapes.planes, scene.planes);
+        };
+        upload(shapes_);
+        static_cast<ShapesView<Real>&>(view_.geometry) = shapes_.view();
+        if (has_exact_) {
+            upload(exact_);
+            view_.exact = exact_.view();
+        }
+        view_.geometry.sphere_materials = sphere_materials_.view();
+
         upload_copy(materials_, scene.materials);
         upload_copy(layers_, scene.layers);
         upload_copy(pigments_, scene.pigments);
@@ -115,43 +194,6 @@ public:
                                                               : FilmCurve::srgb;
         gamma_ = scene.working_gamma;
     }
-
-    /// Without grid, limits and large primitives: the frame adds them.
-    const SceneView<Real>& view() const { return view_; }
-    const SceneNeeds& needs() const { return needs_; }
-    FilmCurve curve() const { return curve_; }
-    float gamma() const { return gamma_; }
-
-private:
-    template <class T> using Buffer = typename Backend::template Buffer<T>;
-
-    template <class R> struct Shapes {
-        Buffer<Sphere<R>> spheres;
-        Buffer<Ellipsoid<R>> ellipsoids;
-        Buffer<Plane<R>> planes;
-
-        explicit Shapes(Backend& backend) : spheres(backend), ellipsoids(backend), planes(backend) {}
-        ShapesView<R> view() { return {spheres.view(), ellipsoids.view(), planes.view()}; }
-    };
-
-    void upload_geometry(const SceneProgram& scene) {
-        const std::vector<uint32_t> order = spatial_order(scene);
-        const auto original = [&](size_t i) { return order.empty() ? i : order[i]; };
-        const auto upload = [&]<class R>(Shapes<R>& shapes) {
-            shapes.spheres.upload(scene.spheres.size(),
-                                  [&](size_t i) { return convert<R>(scene.spheres[original(i)]); });
-            upload_converted<R>(shapes.ellipsoids, scene.ellipsoids);
-            upload_converted<R>(shapes.planes, scene.planes);
-        };
-        upload(shapes_);
-        static_cast<ShapesView<Real>&>(view_.geometry) = shapes_.view();
-        if (!std::is_same_v<Real, double> && needs_.features != Features::opaque) {
-            upload(exact_);
-            view_.exact = exact_.view();
-        }
-        sphere_materials_.upload(scene.spheres.size(), [&](size_t i) { return scene.sphere_materials[original(i)]; });
-        view_.geometry.sphere_materials = sphere_materials_.view();
-    }
     template <class T> static void upload_copy(Buffer<T>& buffer, const std::vector<T>& values) {
         buffer.upload(values.size(), [&](size_t i) { return values[i]; });
     }
@@ -159,8 +201,16 @@ private:
         buffer.upload(values.size(), [&](size_t i) { return convert<R>(values[i]); });
     }
 
+    DeviceMotion<Backend> motion_;
+    std::optional<MotionTime> time_; ///< what the device's arrays show; none: the time of the script's evaluation
+    bool tables_move_ = false;
+    SceneTables moving_tables_;
+    MotionPrograms moving_fields_;
+
     Shapes<Real> shapes_;
     Shapes<double> exact_; ///< SceneView::exact
+    bool has_exact_ = false;
+    uint32_t sphere_count_ = 0;
     Buffer<uint32_t> sphere_materials_;
     Buffer<Material> materials_;
     Buffer<Layer> layers_;
@@ -182,7 +232,7 @@ private:
 };
 
 /// Whether a scene has only what all kernels can do: see Features.
-inline bool is_plain(const SceneProgram& scene) {
+inline bool is_plain(const SceneTables& scene) {
     constexpr uint32_t special = material_no_image | material_no_reflection | material_double_illuminate;
     return scene.fogs.empty() && scene.sky.pigments.empty() &&
            std::none_of(scene.materials.begin(), scene.materials.end(),
@@ -194,7 +244,7 @@ inline bool is_plain(const SceneProgram& scene) {
                        [](const Light<double>& l) { return l.is_plain() && l.area == Light<double>::no_area; });
 }
 
-inline SceneNeeds needs_of(const SceneProgram& scene) {
+inline SceneNeeds needs_of(const SceneTables& scene, size_t spheres) {
     SceneNeeds needs;
     uint32_t most_rays = 0;
     bool transparent = false, branches = false, has_exponent = false, reflective = false;
@@ -224,7 +274,7 @@ inline SceneNeeds needs_of(const SceneProgram& scene) {
     const uint32_t ways = std::max(1u, most_rays);
     const uint32_t waiting = ways - (has_exponent ? 0 : 1); // one goes on; a mark takes a place as well
     needs.stack_entries = std::max(1u, waiting) * scene.max_trace_level;
-    const size_t primitives = scene.spheres.size() + scene.ellipsoids.size() + scene.planes.size();
+    const size_t primitives = spheres + scene.ellipsoids.size() + scene.planes.size();
     needs.interior_capacity = uint32_t(std::min<size_t>(primitives, InteriorList::capacity));
     return needs;
 }

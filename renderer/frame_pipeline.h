@@ -15,35 +15,33 @@ namespace proxima {
 template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
-        : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend),
+        : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend), sum_(backend),
           pending_states_(backend), pending_interiors_(backend), overflows_(backend),
           choice_(Backend::fewest_for_cloud) {}
 
     void set_scene(const SceneProgram& program) { scene_.upload(program); }
 
-    FrameStatistics render(const FrameSettings& settings, Image& image) {
+    /// The scene at each of `times`, and their mean; as it was evaluated without any.
+    FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) {
         FrameStatistics statistics;
-        SceneView<Real> scene = scene_.view();
-        if (settings.tolerances == Tolerances::povray)
-            scene.limits = HitLimits<Real>::povray();
-
-        const auto started = Clock::now();
         const FilmView film = make_film(settings); // before the grid, which makes do with what is left
-        grid_.find_bounds(scene.geometry);
-        if (uses_grid(settings, scene))
-            build_grid(settings, scene, statistics);
+        const uint32_t exposures = std::max<uint32_t>(1, uint32_t(times.size()));
+        if (exposures > 1)
+            sum_.resize(film.pixels.size());
+        for (uint32_t exposure = 0; exposure < exposures; ++exposure) {
+            if (!times.empty())
+                move(times[exposure], statistics);
+            expose(settings, film, statistics);
+            if (exposures > 1)
+                backend_.for_each(uint32_t(film.pixels.size()),
+                                  AverageExposures{film.pixels, sum_.view(), exposure, exposures});
+        }
         backend_.synchronize();
-
-        const auto built = Clock::now();
-        trace(scene, film, settings.antialiasing);
-        backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
-        backend_.synchronize();
+        if (scene_.take_motion_failure())
+            throw MotionUndefined("a sphere");
 
         const auto traced = Clock::now();
         read_back(film, image);
-        statistics.method = scene.grid.cloud.in_use() ? "cloud" : scene.grid.in_use() ? "grid" : "brute";
-        statistics.build_ms = milliseconds(started, built) - statistics.cloud_ms;
-        statistics.trace_ms = milliseconds(built, traced);
         statistics.readback_ms = milliseconds(traced, Clock::now());
         statistics.peak_device_bytes = backend_.memory().peak();
         return statistics;
@@ -58,6 +56,39 @@ private:
 
     static double milliseconds(Clock::time_point from, Clock::time_point to) {
         return std::chrono::duration<double, std::milli>(to - from).count();
+    }
+
+    /// Everything that follows from the time, to where it is then.
+    void move(const MotionTime& time, FrameStatistics& statistics) {
+        if (!scene_.moves())
+            return;
+        const auto started = Clock::now();
+        if (!scene_.move(time))
+            throw MotionUndefined("a number of the scene");
+        backend_.synchronize();
+        statistics.motion_ms += milliseconds(started, Clock::now());
+    }
+
+    /// One moment of the scene, in linear light.
+    void expose(const FrameSettings& settings, const FilmView& film, FrameStatistics& statistics) {
+        SceneView<Real> scene = scene_.view();
+        if (settings.tolerances == Tolerances::povray)
+            scene.limits = HitLimits<Real>::povray();
+
+        const auto started = Clock::now();
+        const double cloud_ms_before = statistics.cloud_ms;
+        grid_.find_bounds(scene.geometry);
+        if (uses_grid(settings, scene))
+            build_grid(settings, scene, statistics);
+        backend_.synchronize();
+
+        const auto built = Clock::now();
+        trace(scene, film, settings.antialiasing);
+        backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
+        backend_.synchronize();
+        statistics.method = scene.grid.cloud.in_use() ? "cloud" : scene.grid.in_use() ? "grid" : "brute";
+        statistics.build_ms += milliseconds(started, built) - (statistics.cloud_ms - cloud_ms_before);
+        statistics.trace_ms += milliseconds(built, Clock::now());
     }
 
     FilmView make_film(const FrameSettings& settings) {
@@ -103,7 +134,7 @@ private:
         if (scene.grid.in_use())
             grid_.build_distances(scene, statistics);
         backend_.synchronize();
-        statistics.cloud_ms = milliseconds(listed, Clock::now());
+        statistics.cloud_ms += milliseconds(listed, Clock::now());
     }
 
     void trace(const SceneView<Real>& scene, const FilmView& film, const Antialiasing& antialiasing) {
@@ -186,6 +217,7 @@ private:
     GridBuilder<Backend, Real> grid_;
     Antialiaser<Backend> antialiaser_;
     Buffer<glm::vec3> film_;
+    Buffer<glm::vec3> sum_; ///< of exposures
     Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;
     Buffer<uint32_t> overflows_;

@@ -3,11 +3,14 @@
 // behind it is one template (frame_pipeline.h).
 #pragma once
 #include "kernels/cloud.h"
+#include "kernels/motion.h"
 #include "parser/scene_program.h"
 #include "renderer/image.h"
 
 #include <array>
 #include <memory>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -52,6 +55,12 @@ struct FrameStatistics {
     uint64_t peak_device_bytes = 0;
 };
 
+/// A number of the scene has no finite value at the frame's time: the script has to be evaluated for this frame, and
+/// says what is wrong or what the frame looks like.
+struct MotionUndefined : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// Renders frames on one device. Throws DeviceError; a renderer that threw may not be used again.
 class FrameRenderer {
 public:
@@ -60,8 +69,12 @@ public:
     virtual std::string name() const = 0;
     /// Takes over a scene, converted to `precision`; it is rendered by every render() until the next call.
     virtual void set_scene(const SceneProgram& scene, Precision precision) = 0;
-    /// Renders the scene into `image`, which is resized to fit. `settings.precision` must be the scene's.
-    virtual FrameStatistics render(const FrameSettings& settings, Image& image) = 0;
+    /// Renders the scene into `image`, which is resized to fit. `settings.precision` must be the scene's. `times` are
+    /// the moments that are shown, one or more; with several, the picture is their mean in linear light. For a scene
+    /// without motion programs it may be empty. Throws MotionUndefined, after which the renderer may be used again.
+    virtual FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) = 0;
+    /// The same for a scene as the script was evaluated.
+    FrameStatistics render(const FrameSettings& settings, Image& image) { return render(settings, {}, image); }
 };
 
 struct DeviceDescription {

@@ -25,11 +25,12 @@ public:
         }
     }
 
-    FrameStatistics render(const FrameSettings& settings, Image& image) override {
+    using FrameRenderer::render;
+    FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) override {
         if (settings.precision == Precision::float64 ? !double_ : !single_)
             throw std::logic_error("render: the scene was not set in this precision");
         backend_.activate();
-        return double_ ? double_->render(settings, image) : single_->render(settings, image);
+        return double_ ? double_->render(settings, times, image) : single_->render(settings, times, image);
     }
 
 private:

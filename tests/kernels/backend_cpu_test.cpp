@@ -2,6 +2,7 @@
 #include "renderer/backend_cpu.h"
 #define BACKENDS CpuBackend
 #include "tests/kernels/backend_tests.h"
+#include "tests/kernels/motion_backend_tests.h"
 
 template <> std::unique_ptr<FrameRenderer> proxima::test::make_renderer<CpuBackend>() {
     return make_cpu_renderer(0);

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motion of a scene's spheres on a device: programs and constants, uploaded once; a kernel moves the spheres to any
+// time.
+#pragma once
+#include "kernels/motion.h"
+#include "parser/motion_programs.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace proxima {
+
+template <class Backend> class DeviceMotion {
+public:
+    explicit DeviceMotion(Backend& backend)
+        : backend_(backend), programs_(backend), instructions_(backend), outputs_(backend), shared_(backend),
+          constants_(backend), targets_(backend), failures_(backend) {}
+
+    /// Takes over the programs of spheres. `order[place]` is the id of the sphere that stands at a place of the
+    /// device's array; empty when places are ids.
+    void upload(const MotionPrograms& motion, std::span<const uint32_t> order) {
+        moving_ = motion.moving_spheres;
+        if (moving_ == 0)
+            return;
+        const std::vector<uint32_t> instances = in_order(motion, order);
+        std::vector<uint32_t> place_of(order.size());
+        for (uint32_t place = 0; place < order.size(); ++place)
+            place_of[order[place]] = place;
+        targets_.upload(moving_, [&](size_t i) {
+            const uint32_t id = motion.targets[instances[i]];
+            return order.empty() ? id : place_of[id];
+        });
+        upload_constants(motion, instances);
+        programs_.upload(motion.sphere_programs, [&](size_t i) { return motion.programs[i]; });
+        instructions_.upload(motion.instructions.size(), [&](size_t i) { return motion.instructions[i]; });
+        outputs_.upload(motion.outputs.size(), [&](size_t i) { return motion.outputs[i]; });
+        shared_.upload(motion.shared.size(), [&](size_t i) { return motion.shared[i]; });
+        failures_.resize(1);
+        failures_.fill_bytes(0);
+    }
+
+    bool empty() const { return moving_ == 0; }
+
+    /// Starts moving the spheres. `exact` is empty or the same spheres in double.
+    template <class Real>
+    void move(const MotionTime& time, std::span<Sphere<Real>> spheres, std::span<Sphere<double>> exact) {
+        backend_.for_each(moving_, MoveSpheres<Real>{{programs_.view(), instructions_.view(), outputs_.view(),
+                                                      shared_.view(), constants_.view(), targets_.view()},
+                                                     time,
+                                                     spheres,
+                                                     exact,
+                                                     failures_.view()});
+    }
+
+    /// Whether a sphere met a number that is not finite since the last call. Waits for the device.
+    bool take_failure() {
+        if (moving_ == 0 || failures_.read(0) == 0)
+            return false;
+        failures_.fill_bytes(0);
+        return true;
+    }
+
+private:
+    template <class T> using Buffer = typename Backend::template Buffer<T>;
+
+    /// The instances of each program in the order of their spheres' places, so that neighbours write to neighbours.
+    static std::vector<uint32_t> in_order(const MotionPrograms& motion, std::span<const uint32_t> order) {
+        std::vector<uint32_t> instances(motion.moving_spheres);
+        std::iota(instances.begin(), instances.end(), 0u);
+        if (order.empty())
+            return instances;
+        constexpr uint32_t none = 0xffffffffu;
+        std::vector<uint32_t> instance_of(order.size(), none);
+        for (uint32_t i = 0; i < motion.moving_spheres; ++i)
+            instance_of[motion.targets[i]] = i;
+        std::vector<uint32_t> next(motion.sphere_programs);
+        const auto first = [&](uint32_t program) { return motion.programs[program].first_instance; };
+        for (uint32_t program = 0; program < motion.sphere_programs; ++program)
+            next[program] = first(program);
+        const auto programs = std::span(motion.programs).first(motion.sphere_programs);
+        for (const uint32_t id : order) {
+            const uint32_t instance = instance_of[id];
+            if (instance == none)
+                continue;
+            const auto behind = std::ranges::upper_bound(programs, instance, {}, &MotionProgram::first_instance);
+            instances[next[behind - programs.begin() - 1]++] = instance;
+        }
+        return instances;
+    }
+
+    void upload_constants(const MotionPrograms& motion, std::span<const uint32_t> instances) {
+        uint64_t count = 0;
+        for (uint32_t p = 0; p < motion.sphere_programs; ++p)
+            count += uint64_t(motion.programs[p].own_constants) * motion.programs[p].instances;
+        std::vector<double> constants(count);
+        for (uint32_t p = 0; p < motion.sphere_programs; ++p) {
+            const MotionProgram& program = motion.programs[p];
+            for (uint32_t k = 0; k < program.own_constants; ++k) {
+                const uint64_t row = program.first_constant + uint64_t(k) * program.instances;
+                for (uint32_t i = 0; i < program.instances; ++i)
+                    constants[row + i] =
+                        motion.constants[row + instances[program.first_instance + i] - program.first_instance];
+            }
+        }
+        constants_.upload(count, [&](size_t i) { return constants[i]; });
+    }
+
+    Backend& backend_;
+    Buffer<MotionProgram> programs_;
+    Buffer<MotionInstruction> instructions_;
+    Buffer<uint8_t> outputs_;
+    Buffer<double> shared_;
+    Buffer<double> constants_;
+    Buffer<uint32_t> targets_;
+    Buffer<uint32_t> failures_;
+    uint32_t moving_ = 0;
+};
+
+} // namespace proxima
