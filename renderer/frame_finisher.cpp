@@ -33,6 +33,9 @@ void FrameFinisher::operator()(FinishedFrame& frame) {
                                      .frame = record.frame};
     const auto bytes = timed(record.encode_ms, [&] { return encoder_->encode(frame.image, settings); });
     timed(record.write_ms, [&] { write_file(record.file, bytes); });
+}
+
+void FrameFinisher::announce(const FrameRecord& record) {
     progress_->frame_written(record.frame, record.file);
 }
 

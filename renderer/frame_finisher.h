@@ -24,6 +24,8 @@ public:
 
     /// Writes the file of a frame and completes its record. Throws FileError.
     void operator()(FinishedFrame& frame);
+    /// Tells the user that the frame's file is there.
+    void announce(const FrameRecord& record);
 
 private:
     const RenderOptions& options_;

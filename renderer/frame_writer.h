@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colour, encoding and writing of one frame on a thread of its own, while the next frame is rendered. A short queue
+// Colour, encoding and writing of frames on threads of their own, while the next frames are rendered. A short queue
 // stands between the two: rendering waits when writing is slower.
 #pragma once
 #include "renderer/image.h"
@@ -17,39 +17,58 @@ namespace proxima {
 
 struct FinishedFrame {
     Image image;
-    FrameRecord record;
+    FrameRecord record{};
+    size_t index = 0; ///< in the order in which frames were asked for
 };
 
+/// Any member may be called by any thread, finish() by one.
 class FrameWriter {
 public:
-    /// `write` makes the file and completes the record; it runs on the writer's thread, one frame at a time.
-    explicit FrameWriter(std::function<void(FinishedFrame&)> write);
+    /// `write` makes the file and completes the record. It runs on up to `threads` threads, each with a frame of its
+    /// own; a thread is started when a frame finds all others busy. `announce` is called for what is written, in the
+    /// order of push().
+    explicit FrameWriter(
+        std::function<void(FinishedFrame&)> write, unsigned threads = 1,
+        std::function<void(const FrameRecord&)> announce = [](const FrameRecord&) {});
     /// Drops what still waits.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
-    /// A picture to render into: one that has been written, when there is one.
+    /// A picture to render into: one that has been written before, when there is one, so that no memory is asked for.
     Image take_image();
     /// Hands a frame over; waits while the queue is full. Rethrows what `write` threw for an earlier frame.
     void push(FinishedFrame frame);
-    /// Waits until everything is written. Rethrows what `write` threw. Returns the records in order.
+    /// Waits until everything is written. Rethrows what `write` threw. Returns the records by their index.
     std::vector<FrameRecord> finish();
 
 private:
     static constexpr size_t capacity_ = 2;
 
     void run();
+    void close(bool drop);
+
+    /// A frame that was pushed.
+    struct Entry {
+        size_t index = 0;
+        FrameRecord record{};
+        bool is_written = false;
+    };
 
     std::function<void(FinishedFrame&)> write_;
+    std::function<void(const FrameRecord&)> announce_;
+    const size_t most_threads_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<FinishedFrame> waiting_;
+    std::deque<FinishedFrame> waiting_; ///< the last of entries_
     std::vector<Image> free_images_;
-    std::vector<FrameRecord> records_;
+    std::vector<Entry> entries_; ///< of all frames, in the order of push()
+    size_t begun_ = 0;           ///< entries that a thread has taken
+    size_t announced_ = 0;       ///< entries that were announced
     std::exception_ptr error_;
+    size_t idle_ = 0; ///< threads that wait for a frame
     bool closed_ = false;
-    std::thread thread_; // last: it uses all of the above
+    std::vector<std::thread> threads_; // last: they use all of the above
 };
 
 } // namespace proxima

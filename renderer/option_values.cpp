@@ -155,17 +155,4 @@ std::pair<std::string, std::string> parse_declare(std::string_view text) {
     return {std::string(name), std::string(value)};
 }
 
-DeviceChoice parse_device(std::string_view text) {
-    using Kind = DeviceChoice::Kind;
-    if (text == "auto")
-        return {Kind::automatic, 0};
-    if (text == "cpu")
-        return {Kind::cpu, 0};
-    if (text == "cuda")
-        return {Kind::cuda, 0};
-    if (text.starts_with("cuda:"))
-        return {Kind::cuda, int(parse_count("--device cuda:", text.substr(5), 0, 1023))};
-    throw UsageError(fmt::format("--device {}: write auto, cpu, cuda or cuda:N; `proxima devices` lists them", text));
-}
-
 } // namespace proxima

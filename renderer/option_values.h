@@ -44,9 +44,6 @@ double parse_percent(std::string_view option, std::string_view text);
 /// "NAME=2.5" or "NAME=\"text\"".
 std::pair<std::string, std::string> parse_declare(std::string_view text);
 
-/// "auto", "cpu", "cuda", "cuda:1".
-DeviceChoice parse_device(std::string_view text);
-
 /// One of a few words.
 template <class Value>
 Value parse_choice(std::string_view option, const std::string& text, const std::map<std::string, Value>& choices) {

@@ -4,6 +4,7 @@
 #include "parser/scene_script.h"
 #include "renderer/animation.h"
 #include "renderer/color.h"
+#include "renderer/device_choice.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/output_name.h"
 #include "renderer/progress.h"
@@ -25,11 +26,6 @@ struct SceneOptions {
     uint32_t width = 640, height = 480; ///< pixels
     Animation animation;
     EvaluationBudget budget;
-};
-
-struct DeviceChoice {
-    enum class Kind { automatic, cpu, cuda } kind = Kind::automatic;
-    int ordinal = 0; ///< of a CUDA device
 };
 
 struct RenderOptions {

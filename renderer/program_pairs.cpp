@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/program_pairs.h"
-#include "renderer/choose_renderer.h"
+#include "renderer/choose_devices.h"
 #include "renderer/errors.h"
 #include "renderer/image_file.h"
 #include "renderer/povray_run.h"

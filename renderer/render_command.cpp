@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of work of `proxima render`: everything that can be refused is refused first, then frames are rendered here
-// and coloured, encoded and written on the writer's thread.
+// The order of work of `proxima render`: everything that can be refused is refused first; then scenes are evaluated on
+// one thread, rendered on those of the devices, and coloured, encoded and written on the writer's.
 #include "renderer/atomic_file.h"
-#include "renderer/choose_renderer.h"
+#include "renderer/choose_devices.h"
 #include "renderer/commands.h"
+#include "renderer/device_error.h"
 #include "renderer/errors.h"
 #include "renderer/frame_finisher.h"
+#include "renderer/frame_scheduler.h"
+#include "renderer/frame_source.h"
+#include "renderer/frame_writer.h"
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
 
@@ -14,9 +18,12 @@
 #include <functional>
 #include <future>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 
 namespace proxima {
 namespace {
+
+constexpr unsigned frames_on_gpu = 2;
 
 void check_outputs(const RenderOptions& options) {
     for (const int64_t frame : {options.scene.animation.frames.front(), options.scene.animation.frames.back()})
@@ -32,6 +39,28 @@ void write_statistics(const RenderOptions& options, const RunRecord& run) {
     write_file(*options.stats_json, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
+/// Two frames in flight on a GPU, one on the CPU, whose cores are busy with one.
+std::vector<RenderWorker> make_workers(std::vector<StartedDevice> devices, const RenderOptions& options) {
+    const size_t frames = options.scene.animation.frames.size();
+    std::vector<RenderWorker> workers;
+    for (StartedDevice& started : devices)
+        workers.push_back({started.device.name, std::move(started.renderer), started.device.make});
+    for (const StartedDevice& started : devices)
+        for (unsigned i = 1; started.device.is_gpu && i < frames_on_gpu && workers.size() < frames; ++i)
+            workers.push_back({started.device.name, nullptr, started.device.make});
+    return workers;
+}
+
+/// Encoding is the work of one thread a frame.
+unsigned writer_threads(const RenderOptions& options) {
+    const unsigned cores = unsigned(tbb::info::default_concurrency());
+    return options.threads > 0 ? std::min(options.threads, cores) : cores;
+}
+
+std::string precision_name(Precision precision) {
+    return precision == Precision::float64 ? "double" : "float";
+}
+
 } // namespace
 
 void render_command(const RenderOptions& options) {
@@ -43,50 +72,54 @@ void render_command(const RenderOptions& options) {
         limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
     FrameFinisher finisher(options);
 
-    auto starting_renderer = std::async(std::launch::async, choose_renderer, options.device, options.threads);
+    auto starting_devices = std::async(std::launch::async, start_devices, options.device, options.threads);
     SceneSource scene(options.scene);
     check_outputs(options);
     scene.load(animation.frames.front());
     std::fputs(scene.messages(false).c_str(), stderr);
-    const std::unique_ptr<FrameRenderer> renderer = starting_renderer.get();
+    StartedDevices started = starting_devices.get();
 
     RunRecord run{.scene = options.scene.scene.string(),
                   .width = options.frame.width,
                   .height = options.frame.height,
-                  .samples = options.frame.samples};
+                  .samples = options.frame.samples,
+                  .spheres = scene.program().spheres.size() + scene.program().ellipsoids.size()};
     Progress progress(options.progress, animation.frames.size());
+    for (const std::string& failure : started.failures)
+        progress.note(failure);
     if (animation.has_no_step())
         progress.note(fmt::format("an animation of one frame has no step from clock to clock (POV-Ray's is NaN then); "
                                   "clock is {} and clock_delta 0",
                                   animation.initial_clock));
-    std::optional<FrameWriter> writer;
-    for (const int64_t frame : animation.frames) {
-        if (stop.caught())
-            break;
-        const bool is_first = !writer;
-        if (scene.load(frame) || is_first) {
-            run.spheres = scene.program().spheres.size() + scene.program().ellipsoids.size();
-            renderer->set_scene(scene.program(), options.frame.precision);
-            scene.release_program();
-        }
-        if (is_first) { // loading it beside the first frame's rendering hides what it costs
-            finisher.start(progress);
-            writer.emplace(std::ref(finisher));
-        }
-        FinishedFrame finished{writer->take_image(), {}};
-        finished.record = {.frame = frame,
-                           .file = options.output->path(frame).string(),
-                           .device = renderer->name(),
-                           .precision = options.frame.precision == Precision::float64 ? "double" : "float"};
-        finished.record.statistics = renderer->render(options.frame, finished.image);
-        writer->push(std::move(finished));
+    std::vector<RenderWorker> workers = make_workers(std::move(started.devices), options);
+    finisher.start(progress);
+    FrameWriter writer(std::ref(finisher), writer_threads(options),
+                       [&](const FrameRecord& record) { finisher.announce(record); });
+    FrameQueue queue(animation.frames.size(), workers.size());
+    FrameSource source(scene, animation, queue, workers.size() > 1);
+    FrameScheduler scheduler(queue, writer,
+                             {.settings = options.frame,
+                              .describe =
+                                  [&](const FrameTask& task) {
+                                      return FrameRecord{.frame = task.frame,
+                                                         .file = options.output->path(task.frame).string(),
+                                                         .precision = precision_name(options.frame.precision)};
+                                  },
+                              .note = [&](const std::string& text) { progress.note(text); }});
+    std::exception_ptr device_error; // what is finished by then is written, and counts
+    try {
+        scheduler.run(std::move(workers), stop);
+    } catch (const DeviceError&) {
+        device_error = std::current_exception();
     }
-    if (writer)
-        run.frames = writer->finish();
+    run.frames = writer.finish();
+    source.join();
     run.parse_ms = scene.parse_ms();
     run.evaluate_ms = scene.evaluate_ms();
     run.wall_ms = wall.milliseconds();
     write_statistics(options, run);
+    if (device_error)
+        std::rethrow_exception(device_error);
     if (stop.caught() && run.frames.size() < animation.frames.size())
         throw Interrupted(stop.caught());
 }

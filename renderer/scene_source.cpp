@@ -25,11 +25,12 @@ bool SceneSource::load(int64_t frame) {
                                       .debug = debug_};
     Diagnostics later; // what a later frame repeats is not said again
     Diagnostics& diagnostics = loaded_frame_ ? later : diagnostics_;
-    program_ = {};
-    timed(evaluate_ms_, [&] { program_ = script_->evaluate(settings, diagnostics); });
+    program_.reset(); // a new scene has the memory of the old one, unless that is still in use
+    timed(evaluate_ms_,
+          [&] { program_ = std::make_shared<const SceneProgram>(script_->evaluate(settings, diagnostics)); });
     reject_mistakes(diagnostics);
     loaded_frame_ = frame;
-    same_for_all_frames_ = !program_.depends_on_time;
+    same_for_all_frames_ = !program_->depends_on_time;
     return true;
 }
 

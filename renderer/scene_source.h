@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,9 +22,12 @@ public:
     /// Throws FileError and SceneRejected.
     bool load(int64_t frame);
 
-    const SceneProgram& program() const { return program_; }
-    /// Frees the program's memory; a device has its own copy. Frames that do not differ are still known to be the same.
-    void release_program() { program_ = {}; }
+    const SceneProgram& program() const { return *program_; }
+    /// The same, for those who use it while a later frame is loaded. Null once released.
+    std::shared_ptr<const SceneProgram> shared_program() const { return program_; }
+    /// Gives the program up: its memory is free when nobody shares it, and a device has its own copy. Frames that do
+    /// not differ are still known to be the same.
+    void release_program() { program_.reset(); }
 
     /// Warnings, and with `notes` also notes, of everything up to now.
     std::string messages(bool notes) const;
@@ -39,7 +43,7 @@ private:
     Diagnostics diagnostics_; ///< of parsing and of the first evaluation
     double parse_ms_ = 0, evaluate_ms_ = 0;
     std::optional<SceneScript> script_;
-    SceneProgram program_;
+    std::shared_ptr<const SceneProgram> program_;
     std::optional<int64_t> loaded_frame_;
     bool same_for_all_frames_ = false;
 };

@@ -70,7 +70,10 @@ void add_scene_options(CLI::App& command, SceneTexts& texts) {
 }
 
 void add_device_options(CLI::App& command, DeviceTexts& texts) {
-    command.add_option("--device", texts.device, "auto, cpu, cuda or cuda:N [auto: a CUDA device if there is one]")
+    command
+        .add_option("--device", texts.device,
+                    "auto, cpu, cuda (every one), cuda:N, or a list like cuda:0,2 or cuda,cpu [auto: every CUDA "
+                    "device, or the CPU]")
         ->type_name("DEVICE");
     command.add_option("--accel", texts.accelerator, "How rays find spheres: auto, grid, cloud, brute [auto]")
         ->type_name("METHOD");

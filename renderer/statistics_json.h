@@ -11,9 +11,9 @@ namespace proxima {
 
 struct FrameRecord {
     int64_t frame = 0;
-    std::string file;
-    std::string device;
-    std::string precision;
+    std::string file{};
+    std::string device{};
+    std::string precision{};
     FrameStatistics statistics{};
     uint64_t replaced_samples = 0; ///< not finite, see replace_non_finite
     double color_ms = 0, encode_ms = 0, write_ms = 0;
@@ -25,7 +25,7 @@ struct RunRecord {
     double parse_ms = 0;
     double evaluate_ms = 0; ///< all frames together
     double wall_ms = 0;
-    uint64_t spheres = 0; ///< in the last frame evaluated; ellipsoids included
+    uint64_t spheres = 0; ///< in the first frame; ellipsoids included
     uint64_t moving = 0;
     std::vector<FrameRecord> frames{};
 };

@@ -33,7 +33,7 @@ TEST_CASE("options: a scene alone is a still with every default") {
     CHECK(options.frame.tolerances == Tolerances::exact);
     CHECK(options.frame.accelerator == Accelerator::automatic);
     CHECK(options.frame.grid == std::array<uint32_t, 3>{0, 0, 0});
-    CHECK(options.device.kind == DeviceChoice::Kind::automatic);
+    CHECK(options.device.is_automatic());
     CHECK_FALSE(options.color.config);
     CHECK(options.threads == 0);
 }
@@ -62,8 +62,7 @@ TEST_CASE("options: every option reaches its value") {
     REQUIRE(options.scene.declares.size() == 2);
     CHECK(options.scene.declares[1].second == "\"a b\"");
     CHECK(options.frame.samples == 9);
-    CHECK(options.device.kind == DeviceChoice::Kind::cuda);
-    CHECK(options.device.ordinal == 3);
+    CHECK(options.device.items == std::vector<DeviceChoice::Item>{{DeviceChoice::Item::Kind::cuda, 3}});
     CHECK(options.frame.accelerator == Accelerator::brute);
     CHECK(options.frame.grid == std::array<uint32_t, 3>{8, 9, 10});
     CHECK(options.frame.precision == Precision::float64);
@@ -109,7 +108,9 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
          "--samples, --antialias: each says where the rays go; give one of them"},
         {{"--samples", "0"}, "--samples 0: write a whole number from 1 to 65536"},
         {{"--threads", "many"}, "--threads many: write a whole number from 0 to 4096"},
-        {{"--device", "gpu"}, "--device gpu: write auto, cpu, cuda or cuda:N; `proxima devices` lists them"},
+        {{"--device", "gpu"},
+         "--device gpu: write auto, cpu, cuda, cuda:N or a list like cuda:0,2 or cuda,cpu; `proxima devices` lists "
+         "them"},
         {{"--accel", "gird"}, "--accel gird: not one of auto, brute, cloud, grid; did you mean grid?"},
         {{"--grid", "1x2"}, "--grid 1x2: write one number of voxels for all axes, or three like 64x32x64"},
         {{"--grid", "60000x60000x60000"},

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device for tests of scheduling: "renders" by sleeping and writing its frame's clock into the picture, and fails
+// when it is told to.
+#pragma once
+#include "renderer/device_error.h"
+#include "renderer/frame_renderer.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+namespace proxima::testing {
+
+class FakeRenderer : public FrameRenderer {
+public:
+    struct Behavior {
+        double milliseconds = 0;
+        /// Called with the number of the frame, from 0, that this device renders; may throw.
+        std::function<void(int)> before_frame = [](int) {};
+        std::atomic<int>* scenes_set = nullptr;
+    };
+    explicit FakeRenderer(Behavior behavior) : behavior_(std::move(behavior)) {}
+
+    std::string name() const override { return "fake"; }
+    void set_scene(const SceneProgram& scene, Precision) override {
+        if (behavior_.scenes_set)
+            ++*behavior_.scenes_set;
+        background_ = scene.background.x;
+    }
+    using FrameRenderer::render;
+    FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime>, Image& image) override {
+        behavior_.before_frame(rendered_++);
+        std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(behavior_.milliseconds));
+        image.width = settings.width;
+        image.height = settings.height;
+        image.rgb.assign(size_t(settings.width) * settings.height * 3, background_);
+        return {};
+    }
+
+private:
+    Behavior behavior_;
+    int rendered_ = 0;
+    float background_ = 0;
+};
+
+} // namespace proxima::testing

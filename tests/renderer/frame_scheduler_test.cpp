@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/frame_scheduler.h"
+#include "tests/renderer/fake_renderer.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+using namespace proxima;
+using proxima::testing::FakeRenderer;
+
+namespace {
+
+using Behavior = FakeRenderer::Behavior;
+
+/// A run of `frames` frames whose scenes are `scene_of(frame)`.
+struct Run {
+    size_t frames = 20;
+    std::function<std::shared_ptr<const SceneProgram>(int64_t)> scene_of;
+    std::vector<FrameRecord> records;
+    std::map<int64_t, float> pictures; ///< frame -> what its picture shows
+    std::map<std::string, int> counts; ///< device -> frames
+    std::vector<std::string> notes;
+
+    Run() {
+        scene_of = [](int64_t frame) {
+            SceneProgram scene;
+            scene.background = glm::vec3(float(frame));
+            return std::make_shared<const SceneProgram>(scene);
+        };
+    }
+
+    void operator()(std::vector<Behavior> devices) {
+        const StopSignal stop;
+        std::mutex mutex;
+        FrameWriter writer(
+            [&](FinishedFrame& frame) {
+                const std::lock_guard lock(mutex);
+                CHECK(pictures.emplace(frame.record.frame, frame.image.rgb.at(0)).second); // never twice
+            },
+            2);
+        FrameQueue queue(frames, devices.size());
+        std::thread source([&] {
+            for (size_t i = 0; i < frames; ++i)
+                if (!queue.push({i, int64_t(i), {}, scene_of(int64_t(i))}))
+                    return;
+            queue.end();
+        });
+        struct Join {
+            FrameQueue& queue;
+            std::thread& thread;
+            ~Join() {
+                queue.close();
+                thread.join();
+            }
+        } const join{queue, source};
+        std::vector<RenderWorker> workers;
+        for (size_t i = 0; i < devices.size(); ++i)
+            workers.push_back({fmt::format("device {}", i), std::make_unique<FakeRenderer>(devices[i]), {}});
+        FrameSettings small;
+        small.width = 2;
+        small.height = 1;
+        FrameScheduler scheduler(queue, writer,
+                                 {.settings = small,
+                                  .describe =
+                                      [](const FrameTask& task) {
+                                          FrameRecord record;
+                                          record.frame = task.frame;
+                                          return record;
+                                      },
+                                  .note =
+                                      [&](const std::string& text) {
+                                          const std::lock_guard lock(mutex);
+                                          notes.push_back(text);
+                                      }});
+        struct Finish {
+            Run& run;
+            FrameWriter& writer;
+            ~Finish() {
+                run.records = writer.finish();
+                for (const FrameRecord& record : run.records)
+                    ++run.counts[record.device];
+            }
+        } const finish{*this, writer};
+        scheduler.run(std::move(workers), stop);
+    }
+
+    bool is_complete() const {
+        if (records.size() != frames || pictures.size() != frames)
+            return false;
+        for (size_t i = 0; i < frames; ++i)
+            if (records[i].frame != int64_t(i) || pictures.at(int64_t(i)) != float(i))
+                return false;
+        return true;
+    }
+};
+
+void lose() {
+    throw DeviceError(DeviceError::Kind::lost, "unplugged");
+}
+
+} // namespace
+
+TEST_CASE("scheduler: every frame is rendered once, with its own scene, whatever the number of devices") {
+    for (const size_t devices : {1, 2, 5}) {
+        Run run;
+        run.frames = 50;
+        run(std::vector<Behavior>(devices));
+        CHECK(run.is_complete());
+    }
+}
+
+TEST_CASE("scheduler: a scene that many frames share is set once on each device") {
+    const auto shared = std::make_shared<const SceneProgram>();
+    std::atomic<int> scenes_set{0};
+    Run run;
+    run.scene_of = [&](int64_t) { return shared; };
+    run(std::vector<Behavior>(3, Behavior{.milliseconds = 1, .scenes_set = &scenes_set}));
+    CHECK(run.records.size() == 20);
+    CHECK(scenes_set <= 3);
+}
+
+TEST_CASE("scheduler: devices get work by what they finish") {
+    Run run;
+    run.frames = 60;
+    run({{.milliseconds = 2}, {.milliseconds = 20}});
+    CHECK(run.is_complete());
+    CHECK(run.counts["device 1"] >= 1);
+    CHECK(run.counts["device 0"] > 4 * run.counts["device 1"]);
+}
+
+TEST_CASE("scheduler: a slow device does not hold up the end of a run") {
+    Run run;
+    run.frames = 12;
+    run({{.milliseconds = 1}, {.milliseconds = 150}});
+    CHECK(run.is_complete());
+    CHECK(run.counts["device 1"] == 1);
+}
+
+TEST_CASE("scheduler: frames of a device that is lost are rendered by the others") {
+    for (const int at : {0, 3}) {
+        Run run;
+        run({{.milliseconds = 1,
+              .before_frame =
+                  [at](int frame) {
+                      if (frame == at)
+                          lose();
+                  }},
+             {.milliseconds = 1}});
+        CHECK(run.is_complete());
+        CHECK(run.counts["device 0"] == at);
+        REQUIRE(run.notes.size() == 1);
+        CHECK(run.notes[0].find("device 0: unplugged") != std::string::npos);
+    }
+}
+
+TEST_CASE("scheduler: a device without memory leaves its frame to the others") {
+    Run run;
+    run({{.before_frame = [](int) { throw std::bad_alloc(); }}, {}});
+    CHECK(run.is_complete());
+    REQUIRE(run.notes.size() == 1);
+    CHECK(run.notes[0].find("out of memory; frame ") != std::string::npos);
+}
+
+TEST_CASE("scheduler: a slow first frame, which starts the device, is not held against it") {
+    Run run;
+    const Behavior quick{.milliseconds = 2};
+    Behavior slow_to_start = quick;
+    slow_to_start.before_frame = [](int frame) {
+        if (frame == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    };
+    run.frames = 200;
+    run({slow_to_start, quick});
+    CHECK(run.is_complete());
+    CHECK(run.counts["device 0"] > 40);
+}
+
+TEST_CASE("scheduler: with no device left the run ends, and what is finished is whole") {
+    Run run;
+    const Behavior dying{.before_frame = [](int frame) {
+        if (frame == 4)
+            lose();
+    }};
+    CHECK_THROWS_WITH_AS(run({dying, dying}), "unplugged", DeviceError);
+    CHECK(run.records.size() == 8);
+}
+
+TEST_CASE("scheduler: a scene that cannot be rendered ends the run at once") {
+    Run run;
+    CHECK_THROWS_AS(run({{.before_frame = [](int) { throw DeviceError(DeviceError::Kind::scene, "too deep"); }}, {}}),
+                    DeviceError);
+}
