@@ -22,6 +22,11 @@ void read_programs(const CompareTexts& texts, CompareOptions& options) {
                                      texts.scene.frames));
     options.frame = read_frame_settings(options.scene, texts.device);
     options.frame.tolerances = Tolerances::povray;
+    options.frame.antialiasing = parse_antialiasing(texts.antialias);
+    if (options.frame.antialiasing.depth > 9)
+        throw UsageError(fmt::format("--antialias {}: POV-Ray's depth is at most 9", texts.antialias));
+    if (options.frame.antialiasing.threshold > 1)
+        throw UsageError(fmt::format("--antialias {}: POV-Ray's threshold is at most 1", texts.antialias));
     options.device = parse_device(texts.device.device);
     options.time_limit = double(parse_count("--time-limit", texts.time_limit, 1, 1'000'000));
 }
@@ -32,6 +37,7 @@ CLI::App* add_compare(CLI::App& app, CompareTexts& texts) {
     CLI::App* compare = app.add_subcommand("compare", "Compare two pictures, two sequences, or POV-Ray with Proxima");
     add_scene_options(*compare, texts.scene);
     add_device_options(*compare, texts.device);
+    add_antialias_option(*compare, texts.antialias);
     compare->add_option("--subset", texts.scene.subset, "The frames of --frames to compare now [all]")
         ->type_name("RANGE");
     compare->add_option("--time-limit", texts.time_limit, "Seconds that POV-Ray has for a frame [600]")->type_name("S");
@@ -64,7 +70,8 @@ CLI::App* add_compare(CLI::App& app, CompareTexts& texts) {
         "Examples:\n"
         "  proxima compare a.png b.png --tolerance 1/255 --heatmap difference.png\n"
         "  proxima compare 'a.####.exr' 'b.####.exr' --tolerance 0.001 --report report\n"
-        "  proxima compare ball.scn --povray --size 320x240\n");
+        "  proxima compare ball.scn --povray --size 320x240\n"
+        "  proxima compare ball.ini --povray --antialias method2:0.1:4\n");
     return compare;
 }
 

@@ -8,7 +8,7 @@ namespace proxima {
 struct CompareTexts {
     SceneTexts scene; ///< `scene` is A
     DeviceTexts device{.precision = "double"};
-    std::string b, tolerance, allow = "0", heatmap, report, json, time_limit = "600";
+    std::string b, antialias = "none", tolerance, allow = "0", heatmap, report, json, time_limit = "600";
     bool povray = false, linear = false;
 };
 

@@ -34,11 +34,7 @@ CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
     render->add_option("--subset", texts.scene.subset, "The frames of --frames to render now [all]")
         ->type_name("RANGE");
     render->add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
-    render
-        ->add_option(
-            "--antialias", texts.antialias,
-            "POV-Ray's without jitter: grid:N, method1[:THRESHOLD[:DEPTH]] or method2[:THRESHOLD[:DEPTH]] [none]")
-        ->type_name("MODE");
+    add_antialias_option(*render, texts.antialias);
     add_device_options(*render, texts.device);
     render->add_option("--tolerances", texts.tolerances, "exact, or povray to compare with POV-Ray [exact]")
         ->type_name("T");
@@ -59,32 +55,41 @@ CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
     return render;
 }
 
-/// Takes from a POV-Ray .ini what the command line does not give; `render` is nullptr for other commands.
-void apply_ini(const CLI::App& command, SceneTexts& texts, RenderTexts* render) {
+/// Takes a text of a POV-Ray .ini unless the command line gives that option.
+void take(const CLI::App& command, const char* option, std::string& text, std::string value) {
+    if (command.count(option) == 0 && !value.empty())
+        text = std::move(value);
+}
+
+/// Takes from a POV-Ray .ini, if SCENE is one, what the command line does not say about the scene.
+IniOptions apply_ini(const CLI::App& command, SceneTexts& texts) {
     if (!is_povray_ini(texts.scene))
-        return;
+        return {};
     IniOptions ini = read_povray_ini(texts.scene);
-    const auto given = [&](const char* option) { return command.count(option) > 0; };
-    const auto take = [&](const char* option, std::string& text, std::string& value) {
-        if (!given(option) && !value.empty())
-            text = std::move(value);
-    };
     texts.scene = ini.scene;
-    take("--size", texts.size, ini.size);
-    take("--clock", texts.clock, ini.clock);
-    if (!given("--frames")) {
+    take(command, "--size", texts.size, ini.size);
+    take(command, "--clock", texts.clock, ini.clock);
+    if (command.count("--frames") == 0) {
         texts.frames = ini.frames;
         texts.cyclic = texts.cyclic || ini.cyclic;
     }
     texts.declares.insert(texts.declares.begin(), ini.declares.begin(), ini.declares.end()); // the last one counts
     texts.include_paths.insert(texts.include_paths.end(), ini.include_paths.begin(), ini.include_paths.end());
-    if (!render)
+    return ini;
+}
+
+/// The same for what the commands that render have besides.
+void apply_ini_rendering(const CLI::App& command, const IniOptions& ini, SceneTexts& scene, DeviceTexts& device,
+                         std::string& antialias) {
+    if (command.count("--frames") == 0)
+        take(command, "--subset", scene.subset, ini.subset);
+    take(command, "--threads", device.threads, ini.threads);
+    const bool has_samples = command.get_option_no_throw("--samples") && command.count("--samples") > 0;
+    if (has_samples || command.count("--antialias") > 0)
         return;
-    if (!given("--frames"))
-        take("--subset", texts.subset, ini.subset);
-    take("--output", render->output, ini.output);
-    take("--bits", render->bits, ini.bits);
-    take("--threads", render->device.threads, ini.threads);
+    if (!ini.antialias_refusal.empty())
+        throw UsageError(ini.antialias_refusal);
+    take(command, "--antialias", antialias, ini.antialias);
 }
 
 OutputName read_output(const RenderTexts& texts, const SceneOptions& scene) {
@@ -186,13 +191,21 @@ Command parse_command_line(int argc, const char* const* argv) {
         throw UsageError(fmt::format("{}; `proxima --help` shows what can be written", error.what()));
     }
     if (render->parsed()) {
-        apply_ini(*render, render_texts.scene, &render_texts);
+        const IniOptions ini = apply_ini(*render, render_texts.scene);
+        apply_ini_rendering(*render, ini, render_texts.scene, render_texts.device, render_texts.antialias);
+        take(*render, "--output", render_texts.output, ini.output);
+        take(*render, "--bits", render_texts.bits, ini.bits);
         return read_render_options(render_texts);
     }
-    if (compare->parsed())
+    if (compare->parsed()) {
+        if (compare_texts.povray) {
+            const IniOptions ini = apply_ini(*compare, compare_texts.scene);
+            apply_ini_rendering(*compare, ini, compare_texts.scene, compare_texts.device, compare_texts.antialias);
+        }
         return read_compare_options(*compare, compare_texts);
+    }
     if (check->parsed()) {
-        apply_ini(*check, check_texts, nullptr);
+        apply_ini(*check, check_texts);
         return CheckOptions{read_scene_options(check_texts)};
     }
     if (!devices->parsed())

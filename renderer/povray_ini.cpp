@@ -2,6 +2,8 @@
 #include "renderer/povray_ini.h"
 #include "parser/source_files.h"
 #include "renderer/errors.h"
+#include "renderer/ini_antialiasing.h"
+#include "renderer/ini_value.h"
 
 #include <algorithm>
 #include <charconv>
@@ -65,13 +67,6 @@ constexpr Setting settings[] = {
     {"buffer_output", Rule::any},
     {"buffer_size", Rule::any},
     {"compression", Rule::any},
-    {"antialias_depth", Rule::any},
-    {"antialias_threshold", Rule::any},
-    {"antialias_gamma", Rule::any},
-    {"sampling_method", Rule::any},
-    {"jitter", Rule::any},
-    {"jitter_amount", Rule::any},
-    {"antialias", Rule::off},
     {"output_alpha", Rule::off},
     {"dither", Rule::off},
     {"field_render", Rule::off},
@@ -79,11 +74,6 @@ constexpr Setting settings[] = {
     {"grayscale_output", Rule::off},
     {"output_to_file", Rule::on},
 };
-
-bool same_letters(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b,
-                              [](char x, char y) { return std::tolower(uint8_t(x)) == std::tolower(uint8_t(y)); });
-}
 
 std::string_view trimmed(std::string_view text) {
     const size_t first = text.find_first_not_of(" \t\r");
@@ -126,6 +116,11 @@ public:
                 options_.subset = fmt::format("{}-{}", subset_first_.empty() ? std::to_string(first_) : subset_first_,
                                               subset_last_.empty() ? std::to_string(last_) : subset_last_);
         }
+        try {
+            options_.antialias = antialiasing_.option();
+        } catch (const UsageError& error) {
+            options_.antialias_refusal = fmt::format("{}:{}: {}", name_, antialias_line_, error.what());
+        }
         name_output(still);
         return std::move(options_);
     }
@@ -143,14 +138,17 @@ private:
         return result;
     }
 
+    /// Runs what throws a UsageError and says where in the file that was.
+    template <class Read> auto placed(const Read& read) const {
+        try {
+            return read();
+        } catch (const UsageError& error) {
+            fail(error.what());
+        }
+    }
+
     bool flag(std::string_view name, std::string_view value) const {
-        for (const std::string_view yes : {"on", "true", "yes", "1"})
-            if (same_letters(value, yes))
-                return true;
-        for (const std::string_view no : {"off", "false", "no", "0", "0.0"})
-            if (same_letters(value, no))
-                return false;
-        fail(fmt::format("{}={}: write on or off", name, value));
+        return placed([&] { return ini_flag(name, value); });
     }
 
     /// One setting after the other, in the order of POV-Ray's manual.
@@ -190,8 +188,10 @@ private:
             options_.include_paths.emplace_back(value);
         else if (is("Work_Threads"))
             options_.threads = std::to_string(whole(name, value));
-        else
+        else if (!placed([&] { return antialiasing_.set(name, value); }))
             check(name, value);
+        else if (same_letters(name, "Antialias"))
+            antialias_line_ = number_;
     }
 
     void set_type(std::string_view name, std::string_view value) {
@@ -215,8 +215,7 @@ private:
         if (found == std::end(settings))
             fail(fmt::format("Proxima does not support {}={}", name, value));
         if (found->rule != Rule::any && flag(name, value) != (found->rule == Rule::on))
-            fail(fmt::format("Proxima does not support {}={}{}", name, value,
-                             found->name == "antialias" ? "; write off, and use --samples" : ""));
+            fail(fmt::format("Proxima does not support {}={}", name, value));
     }
 
     /// POV-Ray numbers the frames with as many digits as the last one has; a cyclic animation counts one more.
@@ -236,6 +235,8 @@ private:
     std::string name_;
     size_t number_ = 0;
     IniOptions options_;
+    IniAntialiasing antialiasing_;
+    size_t antialias_line_ = 0; ///< the last one that turns it on or off
     std::string output_, extension_ = ".png", width_, height_, clock_, first_clock_ = "0", last_clock_ = "1";
     std::string subset_first_, subset_last_;
     int64_t first_ = 1, last_ = 1;

@@ -9,9 +9,10 @@ namespace proxima {
 
 /// Each text is what a user would write on the command line; empty where the file says nothing.
 struct IniOptions {
-    std::string scene, size, frames, subset, clock, output, bits, threads;
+    std::string scene, size, frames, subset, clock, output, bits, threads, antialias;
     std::vector<std::string> declares, include_paths;
     bool cyclic = false;
+    std::string antialias_refusal; ///< for whom the file's antialiasing counts, why there is none like it here
 };
 
 /// Whether a command's SCENE is an .ini file, `name.ini` or `name.ini[section]`.

@@ -58,6 +58,17 @@ void add_clock(std::vector<std::string>& command, const Animation& animation, in
         command.push_back("Cyclic_Animation=on");
 }
 
+/// A grid in every pixel is method 1 with a threshold that every difference reaches.
+void add_antialiasing(std::vector<std::string>& command, const Antialiasing& antialiasing) {
+    using Method = Antialiasing::Method;
+    if (antialiasing.method == Method::none)
+        return command.push_back("-A");
+    const float threshold = antialiasing.method == Method::grid ? 0.0f : antialiasing.threshold;
+    command.insert(command.end(), {"Antialias=on", fmt::format("Antialias_Threshold={}", threshold),
+                                   fmt::format("Sampling_Method={}", antialiasing.method == Method::squares ? 2 : 1),
+                                   fmt::format("Antialias_Depth={}", antialiasing.depth), "Jitter=off"});
+}
+
 /// The name that POV-Ray gives the picture: an animation's frames have the digits of the last one.
 fs::path picture_name(const Animation& animation, int64_t frame) {
     if (animation.is_still)
@@ -81,7 +92,8 @@ std::string last_words(const std::string& text) {
 
 } // namespace
 
-std::vector<std::string> povray_command(const SceneOptions& scene, int64_t frame, const fs::path& folder) {
+std::vector<std::string> povray_command(const SceneOptions& scene, const Antialiasing& antialiasing, int64_t frame,
+                                        const fs::path& folder) {
     const fs::path own_folder = scene.scene.has_parent_path() ? scene.scene.parent_path() : fs::path(".");
     std::vector<std::string> command{"povray",
                                      "+I" + quoted(scene.scene),
@@ -90,7 +102,6 @@ std::vector<std::string> povray_command(const SceneOptions& scene, int64_t frame
                                      fmt::format("+H{}", scene.height),
                                      "+FN16",
                                      "File_Gamma=1.0",
-                                     "-A",
                                      "-D",
                                      "+WT1",
                                      "+L" + quoted(own_folder)};
@@ -98,13 +109,15 @@ std::vector<std::string> povray_command(const SceneOptions& scene, int64_t frame
         command.push_back("+L" + quoted(path));
     for (const auto& [name, value] : scene.declares)
         command.push_back(fmt::format("Declare={}={}", name, value));
+    add_antialiasing(command, antialiasing);
     add_clock(command, scene.animation, frame);
     return command;
 }
 
-StoredImage render_with_povray(const SceneOptions& scene, int64_t frame, double time_limit) {
+StoredImage render_with_povray(const SceneOptions& scene, const Antialiasing& antialiasing, int64_t frame,
+                               double time_limit) {
     const TemporaryFolder folder;
-    const ProcessResult run = run_process(povray_command(scene, frame, folder.path), ".", time_limit);
+    const ProcessResult run = run_process(povray_command(scene, antialiasing, frame, folder.path), ".", time_limit);
     if (run.exit_code == exit_not_found)
         throw FileError("povray cannot be started; install POV-Ray 3.7 (Debian: apt install povray povray-includes) or "
                         "add its folder to PATH");

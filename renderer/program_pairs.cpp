@@ -59,12 +59,15 @@ std::vector<PicturePair> pair_programs(const CompareOptions& options) {
     const std::string scene = options.scene.scene.string();
     std::vector<PicturePair> pairs;
     for (const int64_t frame : animation.frames)
-        pairs.push_back(
-            {.name = animation.is_still ? scene : fmt::format("frame {}", frame),
-             .a = "POV-Ray",
-             .b = "Proxima",
-             .load_a = [&options, frame] { return render_with_povray(options.scene, frame, options.time_limit); },
-             .load_b = [renderer, frame] { return renderer->render(frame); }});
+        pairs.push_back({.name = animation.is_still ? scene : fmt::format("frame {}", frame),
+                         .a = "POV-Ray",
+                         .b = "Proxima",
+                         .load_a =
+                             [&options, frame] {
+                                 return render_with_povray(options.scene, options.frame.antialiasing, frame,
+                                                           options.time_limit);
+                             },
+                         .load_b = [renderer, frame] { return renderer->render(frame); }});
     return pairs;
 }
 

@@ -88,6 +88,14 @@ void add_device_options(CLI::App& command, DeviceTexts& texts) {
     command.add_option("--threads", texts.threads, "CPU threads [0: all cores]")->type_name("N");
 }
 
+void add_antialias_option(CLI::App& command, std::string& text) {
+    command
+        .add_option(
+            "--antialias", text,
+            "POV-Ray's without jitter: grid:N, method1[:THRESHOLD[:DEPTH]] or method2[:THRESHOLD[:DEPTH]] [none]")
+        ->type_name("MODE");
+}
+
 SceneOptions read_scene_options(const SceneTexts& texts) {
     SceneOptions options;
     options.scene = texts.scene;

@@ -25,6 +25,7 @@ struct DeviceTexts {
 /// Everything but the scene itself and --subset.
 void add_scene_options(CLI::App& command, SceneTexts& texts);
 void add_device_options(CLI::App& command, DeviceTexts& texts);
+void add_antialias_option(CLI::App& command, std::string& text);
 
 /// Both throw UsageError.
 SceneOptions read_scene_options(const SceneTexts& texts);

@@ -152,6 +152,9 @@ TEST_CASE("compare program: each mistake has its exit code and its remedy") {
         {{"a.scn", "--povray", "--frames", "3"}, 2, "POV-Ray has no clock in an animation of one frame"},
         {{"-", "--povray"}, 2, "two programs cannot read one standard input"},
         {{"nowhere.scn", "--povray"}, 3, "nowhere.scn"},
+        {{"a.scn", "--povray", "--antialias", "grid:10"}, 2, "grid:10: POV-Ray's depth is at most 9"},
+        {{"a.scn", "--povray", "--antialias", "method1:2"}, 2, "method1:2: POV-Ray's threshold is at most 1"},
+        {{"a.png", "a.png", "--antialias", "grid:3"}, 2, "--antialias: only --povray renders"},
     };
     for (const Row& row : rows) {
         const ProcessResult run = work.compare(row.arguments);
@@ -177,6 +180,34 @@ TEST_CASE("compare program: POV-Ray renders the same frames") {
     CHECK(says(animation.standard_output, "2 of 2 pairs are equal"));
     // Two frames, not one twice.
     CHECK(work.content("page/pictures/1.a.png") != work.content("page/pictures/2.a.png"));
+}
+
+TEST_CASE("compare program: both programs antialias alike, and as an .ini says") {
+    const Workplace work;
+    const auto same = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--povray", "--size", "40x30", "--clock", "0.25", "--heatmap", "h.png"});
+        const ProcessResult run = work.compare(arguments);
+        CAPTURE(run.standard_output);
+        CAPTURE(run.standard_error);
+        CHECK(run.exit_code == 0);
+        return work.content("h.png");
+    };
+    const std::string plain = same({"a.scn"});
+    const std::string method1 = same({"a.scn", "--antialias", "method1:0.1:4"});
+    CHECK(plain != method1);
+    CHECK(same({"a.scn", "--antialias", "grid:3"}) != plain);
+    CHECK(same({"a.scn", "--antialias", "method2:0.1:3"}) != method1);
+    const auto ini = [&](const std::string& settings) {
+        std::ofstream(work.folder / "a.ini") << "Input_File_Name=a.scn\nAntialias=on\n" << settings;
+    };
+    ini("Jitter=off\nAntialias_Threshold=0.1\nAntialias_Depth=4\n");
+    CHECK(same({"a.ini"}) == method1);
+    CHECK(same({"a.ini", "--antialias", "none"}) == plain);
+    ini("Width=4\nHeight=3\n");
+    CHECK(same({"a.ini", "--antialias", "method1:0.1:4"}) == method1);
+    const ProcessResult jittered = work.compare({"a.ini", "--povray"});
+    CHECK(jittered.exit_code == 2);
+    CHECK(says(jittered.standard_error, "a.ini:2: Antialias=on: POV-Ray would jitter the rays"));
 }
 
 TEST_CASE("compare program: POV-Ray missing, slow or failing is said, with what to do") {

@@ -239,17 +239,23 @@ TEST_CASE("compare: JSON has every figure, and words for what is not finite") {
 
 TEST_CASE("compare: POV-Ray gets the same size, clock, frames, names and folders") {
     SceneOptions scene;
+    Antialiasing antialiasing;
     scene.scene = "my scenes/a.scn";
     scene.width = 80;
     scene.height = 60;
     const auto has = [&](const std::string& option) {
-        const auto command = povray_command(scene, 3, "/tmp/x");
+        const auto command = povray_command(scene, antialiasing, 3, "/tmp/x");
         return std::find(command.begin(), command.end(), option) != command.end();
     };
     for (const char* option : {"povray", "+I\"my scenes/a.scn\"", "+O\"/tmp/x/picture.png\"", "+W80", "+H60", "+FN16",
                                "File_Gamma=1.0", "-A", "-D", "+L\"my scenes\""})
         CHECK_MESSAGE(has(option), option);
     CHECK_FALSE(has("+K0"));
+    antialiasing = {Antialiasing::Method::squares, 0.1f, 4};
+    for (const char* option :
+         {"Antialias=on", "Sampling_Method=2", "Antialias_Threshold=0.1", "Antialias_Depth=4", "Jitter=off"})
+        CHECK_MESSAGE(has(option), option);
+    CHECK_FALSE(has("-A"));
     scene.animation = Animation::still(0.25f);
     CHECK(has("+K0.25"));
     scene.animation = Animation::sequence({1, 2, 3}, {3});

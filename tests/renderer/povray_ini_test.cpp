@@ -64,8 +64,33 @@ TEST_CASE("ini: a section is read when it is asked for") {
     CHECK(!is_povray_ini("a.scn"));
 }
 
+TEST_CASE("ini: antialiasing becomes the option of that name") {
+    const auto option = [](const std::string& text) {
+        const IniOptions ini = parse_povray_ini("Input_File_Name=a.pov\n" + text, "", "a.ini");
+        return ini.antialias_refusal.empty() ? ini.antialias : ini.antialias_refusal;
+    };
+    CHECK(option("Antialias_Threshold=0.1\nJitter=on") == "");
+    CHECK(option("Antialias=off\nSampling_Method=9") == "");
+    CHECK(option("Antialias=On\nJitter=Off") == "method1:0.3:3");
+    CHECK(option("Antialias=On\nJitter_Amount=0") == "method1:0.3:3");
+    CHECK(option("Sampling_Method=2\nAntialias_Threshold=0.05\nAntialias=on\nAntialias_Depth=4\njitter=no") ==
+          "method2:0.05:4");
+    CHECK(option("Jitter=off\nAntialias=on\nAntialias_Gamma=2.5\nAntialias_Threshold=0.0") == "method1:0:3");
+    CHECK(option("Antialias=on") ==
+          "a.ini:2: Antialias=on: POV-Ray would jitter the rays, which Proxima does not; write Jitter=off, or choose "
+          "--antialias or --samples yourself");
+    CHECK(option("Jitter=off\nAntialias=on\nAntialias_Depth=12") ==
+          "a.ini:3: Antialias_Depth=12: write a number from 1 to 9");
+    CHECK(option("Jitter=off\nAntialias=on\nAntialias_Threshold=x") ==
+          "a.ini:3: Antialias_Threshold=x: write a number from 0 to 1");
+    CHECK(option("Jitter=off\nAntialias=on\nSampling_Method=3") ==
+          "a.ini:3: Sampling_Method=3: write a number from 1 to 2");
+    CHECK(option("Jitter=off\nAntialias=on\nAntialias_Gamma=2") ==
+          "a.ini:3: Proxima does not support Antialias_Gamma=2; leave it out, it is 2.5");
+    CHECK(refusal("Antialias=0.2") == "a.ini:2: Antialias=0.2: write on or off");
+}
+
 TEST_CASE("ini: what would change the picture is refused with its line") {
-    CHECK(refusal("Antialias=On") == "a.ini:2: Proxima does not support Antialias=On; write off, and use --samples");
     CHECK(refusal("Quality=4") == "a.ini:2: Proxima does not support Quality=4");
     CHECK(refusal("\nFile_Gamma=2.2") == "a.ini:3: Proxima does not support File_Gamma=2.2");
     CHECK(refusal("Start_Row=10") == "a.ini:2: Proxima does not support Start_Row=10");
