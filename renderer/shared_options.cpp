@@ -45,6 +45,10 @@ Animation read_animation(const SceneTexts& texts) {
 
 } // namespace
 
+void add_scene(CLI::App& command, SceneTexts& texts) {
+    command.add_option("SCENE", texts.scene, "The scene file, - for standard input, or a POV-Ray .ini")->required();
+}
+
 void add_scene_options(CLI::App& command, SceneTexts& texts) {
     command.add_option("--size", texts.size, "Width x height in pixels [640x480]")->type_name("WxH");
     command.add_option("--frames", texts.frames, "The animation: sets clock and numbering (1-100, 1-100x2, 1,3,5..9)")

@@ -22,6 +22,7 @@ struct DeviceTexts {
                 precision = "float", threads = "0";
 };
 
+void add_scene(CLI::App& command, SceneTexts& texts);
 /// Everything but the scene itself and --subset.
 void add_scene_options(CLI::App& command, SceneTexts& texts);
 void add_device_options(CLI::App& command, DeviceTexts& texts);

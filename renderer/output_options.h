@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options that say which files a run writes, how, and what it tells while it does.
+#pragma once
+#include "renderer/shared_options.h"
+
+#include <string>
+
+namespace proxima {
+
+struct OutputTexts {
+    std::string output, bits, progress = "auto", stats_json;
+};
+
+void add_output_options(CLI::App& command, OutputTexts& texts);
+
+/// Sets the members of `options` that are about output; the scene's must be set. Throws UsageError.
+void read_output_options(const OutputTexts& texts, RenderOptions& options);
+
+} // namespace proxima

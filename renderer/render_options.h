@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of `proxima render`: how the picture is made here; where it goes and in which colours, see
+// output_options.h and color_options.h.
+#pragma once
+#include "renderer/color_options.h"
+#include "renderer/output_options.h"
+#include "renderer/shared_options.h"
+
+namespace proxima {
+
+struct RenderTexts {
+    SceneTexts scene;
+    DeviceTexts device;
+    OutputTexts output;
+    ColorTexts color;
+    std::string samples = "1", antialias = "none", tolerances = "exact";
+};
+
+CLI::App* add_render(CLI::App& app, RenderTexts& texts);
+
+/// `command` is what add_render made; takes a POV-Ray .ini's texts over. Throws UsageError and FileError.
+RenderOptions read_render_options(const CLI::App& command, RenderTexts& texts);
+
+} // namespace proxima
