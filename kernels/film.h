@@ -22,8 +22,12 @@ enum class SamplePattern : uint32_t {
 /// What is known of a sample of a film with marks.
 enum SampleMark : uint8_t { sample_unknown, sample_wanted, sample_known };
 
+struct PixelPosition {
+    uint32_t x, y; ///< may lie outside the picture, in the part of a tile that sticks out
+};
+
 /// Sums of samples. A film may be finer than the picture, or begin outside of it: its pixel (x, y) lies at origin +
-/// step * (x, y), in pixels of the picture.
+/// step * (x, first_row + y), in pixels of the picture.
 struct FilmView {
     std::span<glm::vec3> pixels; ///< rows from top to bottom
     uint32_t width = 0;
@@ -35,10 +39,13 @@ struct FilmView {
     uint32_t grid_side = 1;
     float origin = 0.0f;
     float step = 1.0f;
+    uint32_t first_row = 0;   ///< of a band of a larger film: what is traced does not depend on where that is cut
     std::span<uint8_t> marks; ///< a SampleMark a pixel: only what is wanted is traced; without marks, all
 
     HD uint32_t columns() const { return picture_width ? picture_width : width; }
     HD uint32_t rows() const { return picture_height ? picture_height : height; }
+    /// Where a pixel of the band lies in the whole film.
+    HD PixelPosition in_whole(PixelPosition pixel) const { return {pixel.x, pixel.y + first_row}; }
 };
 
 /// Pixels are traced in tiles of 8x4, so that neighbours in a warp or a cache see the same primitives.
@@ -48,10 +55,6 @@ HD inline uint64_t tiled_pixel_count(uint32_t width, uint32_t height) {
     return uint64_t((width + tile_width - 1) / tile_width) * ((height + tile_height - 1) / tile_height) *
            (tile_width * tile_height);
 }
-
-struct PixelPosition {
-    uint32_t x, y; ///< may lie outside the picture, in the part of a tile that sticks out
-};
 
 HD inline PixelPosition tiled_pixel(uint64_t index, uint32_t width) {
     const uint32_t tiles_across = (width + tile_width - 1) / tile_width;
@@ -83,7 +86,7 @@ template <class Real> HD SampleOffset<Real> sample_offset(const FilmView& film, 
             (Real(index / film.grid_side) + Real(0.5)) / Real(film.grid_side)};
 }
 
-/// The camera ray through a sample of a pixel.
+/// The camera ray through a sample of a pixel of the whole film.
 template <class Real>
 HD Ray<Real> pixel_ray(const Camera<Real>& camera, const FilmView& film, PixelPosition pixel, uint32_t sample) {
     const SampleOffset<Real> offset = sample_offset<Real>(film, sample);

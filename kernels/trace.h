@@ -254,10 +254,11 @@ template <class Real, Features features> struct TracePixels {
         Tracer<Real, features> tracer{scene, pending};
         tracer.pending.thread = index;
         const auto camera = camera_in<PathPrecision<Real, features>>(scene.camera);
+        const PixelPosition whole = film.in_whole(pixel);
         Vec3<Real> total(Real(0));
         for (uint32_t sample = 0; sample < film.samples; ++sample) {
-            tracer.noise.state = (pixel.y * film.width + pixel.x) * film.samples + sample;
-            total += tracer.light_along(pixel_ray(camera, film, pixel, sample));
+            tracer.noise.state = (whole.y * film.width + whole.x) * film.samples + sample;
+            total += tracer.light_along(pixel_ray(camera, film, whole, sample));
         }
         film.pixels[place] = glm::vec3(total);
     }

@@ -24,6 +24,7 @@ public:
 
 private:
     template <class T> using Buffer = typename Backend::template Buffer<T>;
+    static_assert(Rows::unit % DecideBlock::side == 0, "a band has whole blocks");
 
     template <class Trace>
     void render_blocks(const Antialiasing& settings, const FilmView& picture, const Trace& trace) {
@@ -50,6 +51,7 @@ private:
         FilmView lattice = resized(picture, fine_, (picture.width << levels) + 1, (picture.height << levels) + 1);
         lattice.pattern = SamplePattern::corner;
         lattice.step = 1.0f / float(1u << levels);
+        lattice.first_row = picture.first_row << levels;
         lattice.marks = cleared_marks(lattice);
         backend_.for_each(uint32_t(lattice.pixels.size()), WantCorners{lattice, (1u << levels) - 1});
         trace(lattice);
@@ -78,8 +80,8 @@ private:
         film.pixels = buffer.view();
         film.width = uint32_t(width);
         film.height = uint32_t(height);
-        film.picture_width = picture.width;
-        film.picture_height = picture.height;
+        film.picture_width = picture.columns();
+        film.picture_height = picture.rows();
         return film;
     }
     std::span<uint8_t> cleared_marks(const FilmView& film) {

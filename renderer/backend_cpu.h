@@ -39,14 +39,21 @@ public:
     void activate() {}
     void synchronize() {}
 
+    /// Any thread: what for_each is doing ends soon, unfinished, and it does nothing more.
+    void cancel() { cancellation_.cancel_group_execution(); }
+    bool is_cancelled() { return cancellation_.is_group_execution_cancelled(); }
+
     /// Calls kernel(i) for every i below `count`, in no order.
     template <class Kernel> void for_each(uint32_t count, const Kernel& kernel) {
         arena_.execute([&] {
-            tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, 64), [&](const auto& range) {
-                const Kernel local = kernel; // the compiler sees that nothing else writes to it
-                for (uint32_t i = range.begin(); i != range.end(); ++i)
-                    local(i);
-            });
+            tbb::parallel_for(
+                tbb::blocked_range<uint32_t>(0, count, 64),
+                [&](const auto& range) {
+                    const Kernel local = kernel; // the compiler sees that nothing else writes to it
+                    for (uint32_t i = range.begin(); i != range.end(); ++i)
+                        local(i);
+                },
+                cancellation_);
         });
     }
 
@@ -75,6 +82,7 @@ private:
     }
 
     tbb::task_arena arena_;
+    tbb::task_group_context cancellation_{tbb::task_group_context::isolated};
     MemoryMeter memory_;
 };
 

@@ -6,6 +6,7 @@
 #include "renderer/memory_meter.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <cub/device/device_reduce.cuh>
 #include <cub/device/device_scan.cuh>
@@ -59,6 +60,10 @@ public:
         return free;
     }
     void synchronize() { cuda_check(cudaStreamSynchronize(stream_.get())); }
+
+    /// Any thread. Kernels that have been started go on to their end.
+    void cancel() { cancelled_ = true; }
+    bool is_cancelled() const { return cancelled_; }
 
     /// Calls kernel(i) for every i below `count`, in no order.
     template <class Kernel> void for_each(uint32_t count, const Kernel& kernel) {
@@ -135,6 +140,7 @@ private:
     };
 
     int ordinal_;
+    std::atomic<bool> cancelled_{false};
     MemoryMeter memory_;
     Stream stream_;
     Pinned staging_;     ///< uploads are converted here; reductions arrive here

@@ -8,7 +8,7 @@
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_builder.h"
 
-#include <chrono>
+#include <optional>
 
 namespace proxima {
 
@@ -19,10 +19,16 @@ public:
           pending_states_(backend), pending_interiors_(backend), overflows_(backend),
           choice_(Backend::fewest_for_cloud) {}
 
-    void set_scene(const SceneProgram& program) { scene_.upload(program); }
+    void set_scene(const SceneProgram& program) {
+        scene_.upload(program);
+        moved_to_.reset();
+        built_for_.reset();
+    }
 
     /// The scene at each of `times`, and their mean; as it was evaluated without any.
-    FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) {
+    FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, StepWatch* watch,
+                           Image& image) {
+        watch_ = watch;
         FrameStatistics statistics;
         const FilmView film = make_film(settings); // before the grid, which makes do with what is left
         const uint32_t exposures = std::max<uint32_t>(1, uint32_t(times.size()));
@@ -39,63 +45,83 @@ public:
         backend_.synchronize();
         if (scene_.take_motion_failure())
             throw MotionUndefined("a sphere");
-
-        const auto traced = Clock::now();
-        read_back(film, image);
-        statistics.readback_ms = milliseconds(traced, Clock::now());
+        step(FrameStep::read_back, statistics.readback_ms, [&] { read_back(film, image); });
         statistics.peak_device_bytes = backend_.memory().peak();
         return statistics;
     }
 
 private:
     static constexpr uint64_t most_pixels = 1ull << 31; ///< kernels count in 32 bits
-    using Clock = std::chrono::steady_clock;
     template <class T> using Buffer = typename Backend::template Buffer<T>;
     using WaitingPrecision = PathPrecision<Real, Features::all>;
     using WaitingPath = PathState<Real, WaitingPrecision>;
 
-    static double milliseconds(Clock::time_point from, Clock::time_point to) {
-        return std::chrono::duration<double, std::milli>(to - from).count();
+    /// Takes a step to its end on the device.
+    template <class Work> void step(FrameStep step, double& total, const Work& work) {
+        take_step(watch_, step, total, [&] {
+            work();
+            backend_.synchronize();
+        });
+        end_if_cancelled();
+    }
+    void end_if_cancelled() {
+        if (backend_.is_cancelled())
+            throw FrameCancelled();
     }
 
     /// Everything that follows from the time, to where it is then.
     void move(const MotionTime& time, FrameStatistics& statistics) {
-        if (!scene_.moves())
+        if (!scene_.moves() || moved_to_ == time)
             return;
-        const auto started = Clock::now();
-        if (!scene_.move(time))
-            throw MotionUndefined("a number of the scene");
-        backend_.synchronize();
-        statistics.motion_ms += milliseconds(started, Clock::now());
+        built_for_.reset();
+        moved_to_ = time;
+        step(FrameStep::motion, statistics.motion_ms, [&] {
+            if (!scene_.move(time))
+                throw MotionUndefined("a number of the scene");
+        });
     }
 
     /// One moment of the scene, in linear light.
     void expose(const FrameSettings& settings, const FilmView& film, FrameStatistics& statistics) {
-        SceneView<Real> scene = scene_.view();
+        const FrameSettings whole = settings.with_rows({});
+        if (settings.rows.count > 0 && built_for_ == whole) {
+            statistics = built_statistics_;
+        } else {
+            build(whole, statistics);
+            built_for_ = whole;
+            built_statistics_ = statistics;
+            built_statistics_.motion_ms = built_statistics_.build_ms = built_statistics_.cloud_ms = 0;
+        }
+        step(FrameStep::trace, statistics.trace_ms, [&] {
+            trace(built_, film, settings.antialiasing);
+            backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
+        });
+    }
+
+    /// The scene's grid, and its cloud if it is to have one.
+    void build(const FrameSettings& settings, FrameStatistics& statistics) {
+        built_ = scene_.view();
         if (settings.tolerances == Tolerances::povray)
-            scene.limits = HitLimits<Real>::povray();
-
-        const auto started = Clock::now();
-        const double cloud_ms_before = statistics.cloud_ms;
-        grid_.find_bounds(scene.geometry);
-        if (uses_grid(settings, scene))
-            build_grid(settings, scene, statistics);
-        backend_.synchronize();
-
-        const auto built = Clock::now();
-        trace(scene, film, settings.antialiasing);
-        backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
-        backend_.synchronize();
-        statistics.method = scene.grid.cloud.in_use() ? "cloud" : scene.grid.in_use() ? "grid" : "brute";
-        statistics.build_ms += milliseconds(started, built) - (statistics.cloud_ms - cloud_ms_before);
-        statistics.trace_ms += milliseconds(built, Clock::now());
+            built_.limits = HitLimits<Real>::povray();
+        step(FrameStep::build, statistics.build_ms, [&] {
+            grid_.find_bounds(built_.geometry);
+            if (uses_grid(settings, built_))
+                build_grid(settings, built_, statistics);
+        });
+        if (built_.grid.cloud.in_use())
+            step(FrameStep::map, statistics.cloud_ms, [&] { grid_.build_distances(built_, statistics); });
+        statistics.method = built_.grid.cloud.in_use() ? "cloud" : built_.grid.in_use() ? "grid" : "brute";
     }
 
     FilmView make_film(const FrameSettings& settings) {
-        if (uint64_t(settings.width) * settings.height > most_pixels)
+        const Rows band = settings.band();
+        if (uint64_t(settings.width) * band.count > most_pixels)
             throw DeviceError(DeviceError::Kind::out_of_memory, "a picture may have at most 2^31 pixels");
-        film_.resize(size_t(settings.width) * settings.height);
-        FilmView film{film_.view(), settings.width, settings.height, settings.samples};
+        film_.resize(size_t(settings.width) * band.count);
+        FilmView film{film_.view(), settings.width, band.count, settings.samples};
+        film.first_row = band.first;
+        film.picture_width = settings.width;
+        film.picture_height = settings.height;
         if (settings.antialiasing.method == Antialiasing::Method::grid) {
             film.pattern = SamplePattern::center_and_grid;
             film.grid_side = settings.antialiasing.depth;
@@ -121,20 +147,8 @@ private:
         const bool chooses = settings.accelerator == Accelerator::automatic && settings.grid[0] == 0;
         if (chooses && choice_.is_due(scene.geometry.round_count()))
             choice_.report(grid_.mean_distance(scene, cloud));
-        if (settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud()))
-            build_cloud(cloud, scene, statistics);
-        else
-            grid_.build(scene, {.size = settings.grid}, statistics);
-    }
-
-    void build_cloud(const GridPlan& plan, SceneView<Real>& scene, FrameStatistics& statistics) {
-        grid_.build(scene, plan, statistics);
-        backend_.synchronize();
-        const auto listed = Clock::now();
-        if (scene.grid.in_use())
-            grid_.build_distances(scene, statistics);
-        backend_.synchronize();
-        statistics.cloud_ms += milliseconds(listed, Clock::now());
+        const bool uses_cloud = settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud());
+        grid_.build(scene, uses_cloud ? cloud : GridPlan{.size = settings.grid}, statistics);
     }
 
     void trace(const SceneView<Real>& scene, const FilmView& film, const Antialiasing& antialiasing) {
@@ -164,18 +178,23 @@ private:
     /// Traces as many pixels at a time as there is memory for stacks.
     template <Features features> void trace_waves(const SceneView<Real>& scene, const FilmView& film) {
         const uint64_t pixels = tiled_pixel_count(film.width, film.height);
-        const uint32_t wave = wave_size(pixels);
+        const uint32_t wave = wave_size(pixels, film.samples);
         PendingView<Real, PathPrecision<Real, features>> pending;
         if constexpr (features == Features::all)
             pending = make_pending(wave);
-        for (uint64_t first = 0; first < pixels; first += wave)
+        for (uint64_t first = 0; first < pixels; first += wave) {
             backend_.for_each(uint32_t(std::min<uint64_t>(wave, pixels - first)),
                               TracePixels<Real, features>{scene, film, pending, first});
+            if (wave < pixels) {
+                backend_.synchronize();
+                end_if_cancelled();
+            }
+        }
     }
 
-    uint32_t wave_size(uint64_t pixels) const {
+    uint32_t wave_size(uint64_t pixels, uint32_t samples) const {
         const SceneNeeds& needs = scene_.needs();
-        constexpr uint64_t most = 1u << 30;
+        const uint64_t most = std::max<uint64_t>((1u << 30) / samples, 1u << 18); // a wave can be waited for
         const uint64_t entry = sizeof(WaitingPath) + sizeof(uint32_t) * needs.interior_capacity;
         const uint64_t stack = entry * needs.stack_entries;
         const uint64_t memory = std::min(Backend::stack_memory, backend_.available_memory() / 4);
@@ -206,10 +225,8 @@ private:
 
     void read_back(const FilmView& film, Image& image) {
         static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-        image.width = film.width;
-        image.height = film.height;
-        image.rgb.resize(film.pixels.size() * 3);
-        film_.download(reinterpret_cast<glm::vec3*>(image.rgb.data()));
+        image.fit(film.columns(), film.rows());
+        film_.download(reinterpret_cast<glm::vec3*>(image.row(film.first_row)));
     }
 
     Backend& backend_;
@@ -222,6 +239,11 @@ private:
     Buffer<uint32_t> pending_interiors_;
     Buffer<uint32_t> overflows_;
     CloudChoice choice_;
+    StepWatch* watch_ = nullptr;
+    std::optional<MotionTime> moved_to_;     ///< none: the time of the script's evaluation
+    SceneView<Real> built_;                  ///< the scene at that time, with its grid
+    std::optional<FrameSettings> built_for_; ///< of all rows
+    FrameStatistics built_statistics_;
 };
 
 } // namespace proxima

@@ -5,6 +5,7 @@
 #include "kernels/cloud.h"
 #include "kernels/motion.h"
 #include "parser/scene_program.h"
+#include "renderer/frame_step.h"
 #include "renderer/image.h"
 
 #include <array>
@@ -27,11 +28,25 @@ struct Antialiasing {
     Method method = Method::none;
     float threshold = 0.3f;
     uint32_t depth = 3;
+
+    friend bool operator==(const Antialiasing&, const Antialiasing&) = default;
+};
+
+/// A band of a picture, over its whole width.
+struct Rows {
+    /// Where bands may be cut: antialiasing by blocks looks at no more than a block, and no cut shall go through one.
+    static constexpr uint32_t unit = 32;
+
+    uint32_t first = 0; ///< a multiple of `unit`
+    uint32_t count = 0; ///< 0: all
+
+    friend bool operator==(const Rows&, const Rows&) = default;
 };
 
 struct FrameSettings {
     uint32_t width = 640;
     uint32_t height = 480;
+    Rows rows;            ///< what of the picture to render: the numbers are the same however it is cut
     uint32_t samples = 1; ///< rays a pixel; 1 is the pixel's centre
     Antialiasing antialiasing;
     Precision precision = Precision::float32;
@@ -40,6 +55,14 @@ struct FrameSettings {
     std::array<uint32_t, 3> grid{0, 0, 0}; ///< voxels along x, y, z; 0 = chosen from the scene
     Metric metric = Metric::chessboard;    ///< of the cloud
     uint32_t brick = 0;                    ///< voxels along a brick of the cloud: 1, 2, 4 or 8; 0 = chosen
+
+    Rows band() const { return rows.count ? rows : Rows{0, height}; }
+    FrameSettings with_rows(Rows part) const {
+        FrameSettings settings = *this;
+        settings.rows = part;
+        return settings;
+    }
+    friend bool operator==(const FrameSettings&, const FrameSettings&) = default;
 };
 
 /// What a frame took and what it was made with. Milliseconds; a step that did not run is 0.
@@ -61,6 +84,11 @@ struct MotionUndefined : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// cancel() ended the frame.
+struct FrameCancelled : std::runtime_error {
+    FrameCancelled() : std::runtime_error("the frame was cancelled") {}
+};
+
 /// Renders frames on one device. Throws DeviceError; a renderer that threw may not be used again.
 class FrameRenderer {
 public:
@@ -69,12 +97,20 @@ public:
     virtual std::string name() const = 0;
     /// Takes over a scene, converted to `precision`; it is rendered by every render() until the next call.
     virtual void set_scene(const SceneProgram& scene, Precision precision) = 0;
-    /// Renders the scene into `image`, which is resized to fit. `settings.precision` must be the scene's. `times` are
+    /// Renders the scene into `image`, which is resized to the whole picture unless it fits; of it, the rows that the
+    /// settings ask for. Bands of one moment, one after the other, share what is built for it. `settings.precision`
+    /// must be the scene's. `times` are
     /// the moments that are shown, one or more; with several, the picture is their mean in linear light. For a scene
     /// without motion programs it may be empty. Throws MotionUndefined, after which the renderer may be used again.
     virtual FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) = 0;
     /// The same for a scene as the script was evaluated.
     FrameStatistics render(const FrameSettings& settings, Image& image) { return render(settings, {}, image); }
+
+    /// Who is told of the steps of the frames to come; null for nobody. It must outlive them.
+    virtual void set_watch(StepWatch*) {}
+    /// Any thread: the frame that is being rendered, or else the next one, ends soon by FrameCancelled, and the
+    /// renderer is of no more use.
+    virtual void cancel() {}
 };
 
 struct DeviceDescription {

@@ -30,8 +30,12 @@ public:
         if (settings.precision == Precision::float64 ? !double_ : !single_)
             throw std::logic_error("render: the scene was not set in this precision");
         backend_.activate();
-        return double_ ? double_->render(settings, times, image) : single_->render(settings, times, image);
+        return double_ ? double_->render(settings, times, watch_, image)
+                       : single_->render(settings, times, watch_, image);
     }
+
+    void set_watch(StepWatch* watch) override { watch_ = watch; }
+    void cancel() override { backend_.cancel(); }
 
 private:
     template <class Pipeline> void take(std::unique_ptr<Pipeline>& pipeline, const SceneProgram& scene) {
@@ -41,6 +45,7 @@ private:
     }
 
     Backend backend_;
+    StepWatch* watch_ = nullptr;
     std::unique_ptr<FramePipeline<Backend, float>> single_;
     std::unique_ptr<FramePipeline<Backend, double>> double_;
 };

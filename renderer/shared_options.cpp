@@ -118,7 +118,9 @@ SceneOptions read_scene_options(const SceneTexts& texts) {
 }
 
 FrameSettings read_frame_settings(const SceneOptions& scene, const DeviceTexts& texts) {
-    FrameSettings frame{.width = scene.width, .height = scene.height};
+    FrameSettings frame;
+    frame.width = scene.width;
+    frame.height = scene.height;
     frame.precision = parse_choice<Precision>("--precision", texts.precision,
                                               {{"float", Precision::float32}, {"double", Precision::float64}});
     frame.accelerator = parse_choice<Accelerator>("--accel", texts.accelerator,

@@ -308,3 +308,59 @@ TEST_CASE_TEMPLATE("frame: statistics tell how the frame was made", Backend, BAC
     CHECK(statistics.method == "brute");
     CHECK(statistics.references == 0);
 }
+
+TEST_CASE_TEMPLATE("frame: a picture is the same in one piece and in bands, in any order", Backend, BACKENDS) {
+    const auto renderer = make_renderer<Backend>();
+    const SceneProgram scene = random_scene(3, {.spheres = 300, .radius = 0.1, .mirrors = true, .glass = true});
+    using Method = Antialiasing::Method;
+    for (const Method method : {Method::none, Method::grid, Method::blocks, Method::squares}) {
+        CAPTURE(int(method));
+        FrameSettings settings;
+        settings.width = 83;
+        settings.height = 101;
+        settings.samples = method == Method::none ? 3 : 1;
+        settings.antialiasing = {method, 0.1f, 2};
+        const Image whole = render(*renderer, scene, settings);
+        Image image;
+        FrameStatistics statistics;
+        for (const uint32_t first : {32u, 0u, 64u}) {
+            settings.rows = {first, first == 64 ? settings.height - first : 32};
+            statistics = renderer->render(settings, image);
+            CHECK(statistics.method == "grid");
+        }
+        CHECK(same_bits(whole, image));
+        CHECK(statistics.build_ms == 0); // the first band built it for all
+        CHECK(statistics.references > 300);
+    }
+}
+
+TEST_CASE_TEMPLATE("frame: one that is cancelled ends by an exception", Backend, BACKENDS) {
+    const auto renderer = make_renderer<Backend>();
+    renderer->set_scene(random_scene(3, {}), Precision::float32);
+    renderer->cancel();
+    Image image;
+    bool cancelled = false;
+    try {
+        renderer->render({}, image);
+    } catch (const FrameCancelled&) {
+        cancelled = true;
+    }
+    CHECK(cancelled);
+}
+
+TEST_CASE_TEMPLATE("frame: whoever watches is told of every step, in order", Backend, BACKENDS) {
+    struct Watch : StepWatch {
+        std::vector<FrameStep> begun, ended;
+        void begin(FrameStep step) override { begun.push_back(step); }
+        void end(FrameStep step, Time, Time) override { ended.push_back(step); }
+    } watch;
+    const auto renderer = make_renderer<Backend>();
+    renderer->set_watch(&watch);
+    renderer->set_scene(random_scene(3, {}), Precision::float32);
+    FrameSettings settings;
+    settings.accelerator = Accelerator::cloud;
+    Image image;
+    renderer->render(settings, image);
+    CHECK(watch.begun == std::vector{FrameStep::build, FrameStep::map, FrameStep::trace, FrameStep::read_back});
+    CHECK(watch.ended == watch.begun);
+}
