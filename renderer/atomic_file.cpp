@@ -69,30 +69,11 @@ private:
     fs::path path_;
 };
 
-/// A name that nobody has, in the folder of `path`; the file is removed unless it was renamed.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(const fs::path& path)
-        : name_(folder_of(path) / fmt::format(".{}.{:08x}{:08x}.tmp", path.filename().string().substr(0, 200),
-                                              std::random_device()(), std::random_device()())),
-          file_(name_, O_WRONLY | O_CREAT | O_EXCL, path), path_(path) {}
-    ~TemporaryFile() {
-        if (!name_.empty())
-            ::unlink(name_.c_str());
-    }
-
-    Descriptor& file() { return file_; }
-    void rename() {
-        if (::rename(name_.c_str(), path_.c_str()) != 0)
-            fail(path_, errno);
-        name_.clear();
-    }
-
-private:
-    fs::path name_;
-    Descriptor file_;
-    fs::path path_;
-};
+/// A name that nobody has, in the folder of `path`.
+fs::path temporary_name(const fs::path& path) {
+    return folder_of(path) / fmt::format(".{}.{:08x}{:08x}.tmp", path.filename().string().substr(0, 200),
+                                         std::random_device()(), std::random_device()());
+}
 
 /// Whether `path` is there and is neither a file nor a folder. Throws for a folder.
 bool is_device(const fs::path& path) {
@@ -109,6 +90,41 @@ bool is_device(const fs::path& path) {
 
 } // namespace
 
+struct PendingFile::Implementation {
+    fs::path path, temporary;
+    Descriptor file;
+
+    explicit Implementation(const fs::path& path)
+        : path(path), temporary(temporary_name(path)), file(temporary, O_WRONLY | O_CREAT | O_EXCL, path) {}
+    ~Implementation() {
+        if (!temporary.empty())
+            ::unlink(temporary.c_str());
+    }
+};
+
+PendingFile::PendingFile(const fs::path& path) : implementation_(std::make_unique<Implementation>(path)) {}
+
+PendingFile::~PendingFile() = default;
+
+const fs::path& PendingFile::temporary() const {
+    return implementation_->temporary;
+}
+
+void PendingFile::write(std::span<const unsigned char> bytes) {
+    implementation_->file.write(bytes);
+}
+
+void PendingFile::commit() {
+    auto& [path, temporary, file] = *implementation_;
+    file.sync();
+    file.close();
+    if (::rename(temporary.c_str(), path.c_str()) != 0)
+        fail(path, errno);
+    temporary.clear();
+    Descriptor folder(folder_of(path), O_RDONLY | O_DIRECTORY, path);
+    folder.sync(); // the new name itself reaches the disk
+}
+
 void write_file(const fs::path& path, std::span<const unsigned char> bytes) {
     if (is_device(path)) {
         Descriptor device(path, O_WRONLY, path);
@@ -116,13 +132,9 @@ void write_file(const fs::path& path, std::span<const unsigned char> bytes) {
         device.close();
         return;
     }
-    TemporaryFile temporary(path);
-    temporary.file().write(bytes);
-    temporary.file().sync();
-    temporary.file().close();
-    temporary.rename();
-    Descriptor folder(folder_of(path), O_RDONLY | O_DIRECTORY, path);
-    folder.sync(); // the new name itself reaches the disk
+    PendingFile file(path);
+    file.write(bytes);
+    file.commit();
 }
 
 void check_writable(const fs::path& path) {
@@ -136,7 +148,7 @@ void check_writable(const fs::path& path) {
         fail(path, fmt::format("there is no folder '{}'; create it first", folder_of(path).string()));
     if (!fs::is_directory(folder_of(path), error))
         fail(path, fmt::format("'{}' is not a folder", folder_of(path).string()));
-    TemporaryFile temporary(path);
+    const PendingFile probe(path);
 }
 
 } // namespace proxima

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs another program as a user would: arguments in; exit code, output, time and peak memory out.
+// Runs another program as a user would: arguments in; exit code, output, time and peak memory out. Or feeds it.
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,5 +24,24 @@ struct ProcessResult {
 /// no such program. Throws std::runtime_error when no process can be made.
 ProcessResult run_process(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".",
                           double timeout_seconds = 600);
+
+/// A program that reads what it works on from its standard input. It is killed unless it is finished.
+class FedProcess {
+public:
+    /// Starts `arguments[0]` (looked up in PATH). Throws std::runtime_error when no process can be made.
+    explicit FedProcess(const std::vector<std::string>& arguments);
+    ~FedProcess();
+
+    /// False when it takes no more.
+    bool write(std::span<const unsigned char> bytes);
+    /// Ends its input and waits. Returns its exit code.
+    int finish();
+    /// What it printed up to now.
+    std::string messages() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
 
 } // namespace proxima

@@ -108,6 +108,18 @@ std::string encoding_of(const OCIO::Config& config, const std::string& display, 
     return {};
 }
 
+/// Applies `change` to every sample, in parallel, and counts those for which it is true.
+template <class Change> uint64_t count_changed(Image& image, const Change& change) {
+    std::atomic<uint64_t> changed{0};
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, image.rgb.size(), 1 << 16), [&](const auto& samples) {
+        uint64_t count = 0;
+        for (size_t i = samples.begin(); i != samples.end(); ++i)
+            count += change(image.rgb[i]);
+        changed += count;
+    });
+    return changed;
+}
+
 } // namespace
 
 struct ColorTransform::Implementation {
@@ -154,19 +166,21 @@ void ColorTransform::apply(Image& image) const {
 }
 
 uint64_t replace_non_finite(Image& image) {
-    std::atomic<uint64_t> replaced{0};
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, image.rgb.size(), 1 << 16), [&](const auto& samples) {
-        uint64_t count = 0;
-        for (size_t i = samples.begin(); i != samples.end(); ++i) {
-            float& value = image.rgb[i];
-            if (std::isfinite(value))
-                continue;
-            value = std::isnan(value) ? 0.0f : std::copysign(largest_half, value);
-            ++count;
-        }
-        replaced += count;
+    return count_changed(image, [](float& value) {
+        if (std::isfinite(value))
+            return false;
+        value = std::isnan(value) ? 0.0f : std::copysign(largest_half, value);
+        return true;
     });
-    return replaced;
+}
+
+uint64_t clamp_to_half(Image& image) {
+    return count_changed(image, [](float& value) {
+        const bool is_beyond = std::abs(value) > largest_half;
+        if (is_beyond)
+            value = std::copysign(largest_half, value);
+        return is_beyond;
+    });
 }
 
 } // namespace proxima

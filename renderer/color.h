@@ -41,4 +41,7 @@ private:
 /// spoil its neighbours in a colour transform). Returns how many samples were replaced.
 uint64_t replace_non_finite(Image& image);
 
+/// Brings samples beyond the largest half-float back to it. Returns how many there were.
+uint64_t clamp_to_half(Image& image);
+
 } // namespace proxima

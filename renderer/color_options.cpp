@@ -15,8 +15,8 @@ void add_color_options(CLI::App& command, ColorTexts& texts) {
     command.add_option("--ocio", texts.ocio, "OpenColorIO configuration [$OCIO, else embedded]")->type_name("FILE");
 }
 
-ColorSettings read_color_options(const ColorTexts& texts, SampleType type) {
-    if (is_scene_linear(type) && !(texts.display.empty() && texts.view.empty()))
+ColorSettings read_color_options(const ColorTexts& texts, SampleType type, bool with_view) {
+    if (is_scene_linear(type) && !with_view && !(texts.display.empty() && texts.view.empty()))
         throw UsageError(
             "--display, --view: this file holds scene-linear light, not a view of it; write a .png, or leave "
             "them out");

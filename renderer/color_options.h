@@ -13,7 +13,7 @@ struct ColorTexts {
 
 void add_color_options(CLI::App& command, ColorTexts& texts);
 
-/// For a file of this sample type. Throws UsageError.
-ColorSettings read_color_options(const ColorTexts& texts, SampleType type);
+/// For a file of this sample type, or `with_view`, for something that is shown. Throws UsageError.
+ColorSettings read_color_options(const ColorTexts& texts, SampleType type, bool with_view);
 
 } // namespace proxima

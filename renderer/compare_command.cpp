@@ -94,7 +94,7 @@ private:
         if (options_.heatmap) {
             const Image picture = side_by_side(
                 {displayed(images, images.a), displayed(images, images.b), difference_map(images, options_.tolerance)});
-            write_file(*options_.heatmap, encoder_->encode(picture, {.color_encoding = "sRGB"}));
+            write_file(*options_.heatmap, encoder_->encode(picture, {.facts = {.color_encoding = "sRGB"}}));
         }
     }
 

@@ -38,7 +38,7 @@ ComparisonPage::ComparisonPage(std::filesystem::path folder) : folder_(std::move
 void ComparisonPage::add_pictures(size_t index, const ImagePair& pair, double tolerance, ImageEncoder& encoder) const {
     const auto write = [&](const char* what, const Image& image) {
         write_file(folder_ / "pictures" / fmt::format("{}.{}.png", index + 1, what),
-                   encoder.encode(image, {.color_encoding = "sRGB"}));
+                   encoder.encode(image, {.facts = {.color_encoding = "sRGB"}}));
     };
     write("a", displayed(pair, pair.a));
     write("b", displayed(pair, pair.b));

@@ -7,8 +7,10 @@
 namespace proxima {
 
 FrameFinisher::FrameFinisher(const RenderOptions& options) : options_(options) {
-    if (!is_scene_linear(options.type))
-        color_.emplace(options.color);
+    if (!is_scene_linear(options.type) || options.movie)
+        view_.emplace(options.color);
+    if (options.movie)
+        movie_.emplace(*options.movie, options.rate);
 }
 
 void FrameFinisher::start(Progress& progress) {
@@ -18,25 +20,76 @@ void FrameFinisher::start(Progress& progress) {
 
 void FrameFinisher::operator()(FinishedFrame& frame) {
     FrameRecord& record = frame.record;
-    timed(record.color_ms, [&] {
-        record.replaced_samples = replace_non_finite(frame.image);
-        if (color_)
-            color_->apply(frame.image);
-    });
+    timed(record.color_ms, [&] { prepare(frame); });
+    report(record);
+    if (holds_animation(options_.output->format())) {
+        timed(record.encode_ms, [&] { sequence(frame).add(frame.index, quantize_to_bytes(frame.image)); });
+        return;
+    }
+    const auto bytes = timed(record.encode_ms, [&] { return encoder_->encode(frame.image, file_settings(record)); });
+    timed(record.write_ms, [&] { write_file(record.file, bytes); });
+}
+
+void FrameFinisher::prepare(FinishedFrame& frame) {
+    frame.record.replaced_samples = replace_non_finite(frame.image);
+    if (!is_scene_linear(options_.type))
+        view_->apply(frame.image);
+    if (options_.type == SampleType::half)
+        frame.record.clamped_samples = clamp_to_half(frame.image);
+}
+
+void FrameFinisher::report(const FrameRecord& record) {
     if (record.replaced_samples > 0)
         progress_->note(fmt::format("frame {}: {} samples were not finite; NaN became 0, infinity 65504", record.frame,
                                     record.replaced_samples));
-    const ImageFileSettings settings{.format = options_.output->format(),
-                                     .type = options_.type,
-                                     .color_encoding = color_ ? color_->encoding() : "Linear",
-                                     .scene = options_.scene.scene.filename().string(),
-                                     .frame = record.frame};
-    const auto bytes = timed(record.encode_ms, [&] { return encoder_->encode(frame.image, settings); });
-    timed(record.write_ms, [&] { write_file(record.file, bytes); });
+    if (record.clamped_samples > 0)
+        progress_->note(
+            fmt::format("frame {}: {} samples were beyond 65504, the largest half; they became that; --bits "
+                        "float keeps them",
+                        record.frame, record.clamped_samples));
+}
+
+ImageFileSettings FrameFinisher::file_settings(const FrameRecord& record) const {
+    ImageFileSettings settings{
+        .format = options_.output->format(), .type = options_.type, .compression = options_.compression};
+    ImageFacts& facts = settings.facts;
+    facts.scene = options_.scene.scene.filename().string();
+    facts.frame = record.frame;
+    if (!options_.scene.animation.is_still)
+        facts.rate = options_.rate;
+    if (is_scene_linear(options_.type)) {
+        facts.color_encoding = "Linear";
+        facts.chromaticities = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+        facts.color_interop_id = "lin_rec709_scene";
+    } else {
+        facts.color_encoding = view_->encoding();
+    }
+    return settings;
+}
+
+SequenceFile& FrameFinisher::sequence(const FinishedFrame& frame) {
+    const std::lock_guard lock(mutex_);
+    if (!sequence_)
+        sequence_ = std::make_unique<SequenceFile>(
+            frame.record.file,
+            encoder_->encode_sequence(frame.image.width, frame.image.height, file_settings(frame.record)));
+    return *sequence_;
 }
 
 void FrameFinisher::announce(const FrameRecord& record) {
     progress_->frame_written(record.frame, record.file);
+}
+
+void FrameFinisher::finish() {
+    if (sequence_)
+        sequence_->finish();
+    if (!movie_)
+        return;
+    std::vector<std::filesystem::path> pictures;
+    for (const int64_t frame : options_.scene.animation.frames)
+        pictures.push_back(options_.output->path(frame));
+    movie_->make(pictures, *view_);
+    progress_->note(fmt::format("made {} of {} frames", options_.movie->string(), pictures.size()));
 }
 
 } // namespace proxima

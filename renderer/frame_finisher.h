@@ -1,36 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 // A rendered picture in, its file out: colour, encoding, writing. The writer's side of a run, a function of one frame
-// that any thread may call.
+// that any thread may call; and what follows when all frames are there.
 #pragma once
 #include "renderer/color.h"
 #include "renderer/frame_writer.h"
 #include "renderer/image_file.h"
+#include "renderer/movie.h"
 #include "renderer/options.h"
 #include "renderer/progress.h"
+#include "renderer/sequence_file.h"
 
+#include <mutex>
 #include <optional>
 
 namespace proxima {
 
 class FrameFinisher {
 public:
-    /// Throws UsageError and FileError when the colours that `options` ask for are not to be had. `options` must
-    /// outlive this.
+    /// Throws UsageError and FileError when the colours or the film that `options` ask for are not to be had. `options`
+    /// must outlive this.
     explicit FrameFinisher(const RenderOptions& options);
 
     /// Begins to load what encodes, beside what the caller does next, and says where messages go. Before the first
     /// frame.
     void start(Progress& progress);
 
-    /// Writes the file of a frame and completes its record. Throws FileError.
+    /// Writes the file of a frame, or puts the frame into the animation's file, and completes its record. Throws
+    /// FileError.
     void operator()(FinishedFrame& frame);
-    /// Tells the user that the frame's file is there.
+    /// Tells the user that the frame is there.
     void announce(const FrameRecord& record);
+    /// Every frame is there: writes what is made of all of them. Throws FileError.
+    void finish();
 
 private:
+    void prepare(FinishedFrame& frame);
+    void report(const FrameRecord& record);
+    ImageFileSettings file_settings(const FrameRecord& record) const;
+    SequenceFile& sequence(const FinishedFrame& frame);
+
     const RenderOptions& options_;
-    std::optional<ColorTransform> color_; ///< empty for scene-linear files
+    std::optional<ColorTransform> view_; ///< of the files, or of the film; empty where light stays linear
+    std::optional<Movie> movie_;
     std::optional<ImageEncoder> encoder_;
+    std::mutex mutex_;
+    std::unique_ptr<SequenceFile> sequence_; ///< made for the first frame
     Progress* progress_ = nullptr;
 };
 

@@ -4,7 +4,6 @@
 #include "renderer/image_decoder.h"
 #include "renderer/image_module.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -17,20 +16,24 @@
 namespace proxima {
 namespace {
 
-constexpr float largest_half = 65504.0f; // beyond it a half is infinite
-
-template <class Output, class Convert> std::vector<Output> convert_samples(const Image& image, const Convert& convert) {
-    std::vector<Output> samples(image.rgb.size());
+template <class Integer> std::vector<Integer> quantize_all(const Image& image) {
+    std::vector<Integer> samples(image.rgb.size());
     tbb::parallel_for(tbb::blocked_range<size_t>(0, samples.size(), 1 << 16), [&](const auto& range) {
         for (size_t i = range.begin(); i != range.end(); ++i)
-            samples[i] = convert(image.rgb[i]);
+            samples[i] = quantize<Integer>(image.rgb[i], std::numeric_limits<Integer>::max());
     });
     return samples;
 }
 
-template <class Integer> std::vector<Integer> quantize_all(const Image& image) {
-    return convert_samples<Integer>(
-        image, [](float value) { return quantize<Integer>(value, std::numeric_limits<Integer>::max()); });
+EncodeRequest request_for(uint32_t width, uint32_t height, const ImageFileSettings& settings) {
+    EncodeRequest request{.format = settings.format,
+                          .type = settings.type,
+                          .compression = settings.compression,
+                          .width = width,
+                          .height = height,
+                          .facts = settings.facts};
+    request.facts.software = "Proxima " PROXIMA_VERSION;
+    return request;
 }
 
 std::string first_line(std::string_view text) {
@@ -39,23 +42,22 @@ std::string first_line(std::string_view text) {
 
 } // namespace
 
+std::vector<uint8_t> quantize_to_bytes(const Image& image) {
+    return quantize_all<uint8_t>(image);
+}
+
 ImageEncoder::ImageEncoder()
-    : function_(std::async(std::launch::async, image_module_function<EncodeImage>, encoder_function).share()) {}
+    : functions_(std::async(std::launch::async, [] {
+                     return Functions{image_module_function<EncodeImage>(encoder_function),
+                                      image_module_function<MakeSequenceEncoder>(sequence_encoder_function)};
+                 }).share()) {}
 
 std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageFileSettings& settings) {
-    EncodeRequest request{.format = settings.format,
-                          .type = settings.type,
-                          .width = image.width,
-                          .height = image.height,
-                          .samples = image.rgb.data(),
-                          .color_encoding = settings.color_encoding,
-                          .software = "Proxima " PROXIMA_VERSION,
-                          .scene = settings.scene,
-                          .frame = settings.frame};
-    EncodeImage* const encode = function_.get();
+    EncodeRequest request = request_for(image.width, image.height, settings);
+    EncodeImage* const encode = functions_.get().encode;
     switch (settings.type) {
     case SampleType::uint8: {
-        const auto samples = quantize_all<uint8_t>(image);
+        const auto samples = quantize_to_bytes(image);
         request.samples = samples.data();
         return encode(request);
     }
@@ -64,16 +66,17 @@ std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageF
         request.samples = samples.data();
         return encode(request);
     }
-    case SampleType::half: {
-        const auto samples =
-            convert_samples<float>(image, [](float value) { return std::clamp(value, -largest_half, largest_half); });
-        request.samples = samples.data();
-        return encode(request);
-    }
+    case SampleType::half:
     case SampleType::float32:
         break;
     }
+    request.samples = image.rgb.data();
     return encode(request);
+}
+
+std::unique_ptr<SequenceEncoder> ImageEncoder::encode_sequence(uint32_t width, uint32_t height,
+                                                               const ImageFileSettings& settings) {
+    return functions_.get().make_sequence(request_for(width, height, settings));
 }
 
 StoredImage read_image_file(const std::filesystem::path& path) {

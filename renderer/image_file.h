@@ -19,14 +19,15 @@ template <class Integer> Integer quantize(float value, Integer max) {
     return Integer(double(clipped) * double(max) + 0.5);
 }
 
-/// What a file says beside its picture.
 struct ImageFileSettings {
     ImageFormat format = ImageFormat::png;
     SampleType type = SampleType::uint8;
-    std::string color_encoding{};
-    std::string scene{};
-    int64_t frame = 0;
+    Compression compression = Compression::zip;
+    ImageFacts facts{}; ///< `software` is this program
 };
+
+/// The levels of all samples at 8 bits.
+std::vector<uint8_t> quantize_to_bytes(const Image& image);
 
 /// The encoder module, loaded on a thread of its own from the program's folder (or the library path).
 class ImageEncoder {
@@ -34,12 +35,20 @@ public:
     /// Starts loading and returns.
     ImageEncoder();
 
-    /// The file's bytes. `image` holds finite numbers. Waits for the module. Throws FileError when the module cannot
-    /// be loaded, std::runtime_error when the picture cannot be encoded.
+    /// The file's bytes. `image` holds finite numbers, for half none beyond 65504. Waits for the module. Throws
+    /// FileError when the module cannot be loaded, std::runtime_error when the picture cannot be encoded.
     std::vector<unsigned char> encode(const Image& image, const ImageFileSettings& settings);
 
+    /// What makes one file of many pictures of this size, 8 bits a channel. Throws as encode.
+    std::unique_ptr<SequenceEncoder> encode_sequence(uint32_t width, uint32_t height,
+                                                     const ImageFileSettings& settings);
+
 private:
-    std::shared_future<EncodeImage*> function_;
+    struct Functions {
+        EncodeImage* encode;
+        MakeSequenceEncoder* make_sequence;
+    };
+    std::shared_future<Functions> functions_;
 };
 
 /// Reads a whole picture file, of any kind that OpenImageIO knows. Throws FileError when it cannot be read, is damaged

@@ -5,6 +5,7 @@
 #include "renderer/animation.h"
 #include "renderer/color.h"
 #include "renderer/device_choice.h"
+#include "renderer/frame_rate.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/output_name.h"
 #include "renderer/progress.h"
@@ -32,6 +33,10 @@ struct RenderOptions {
     SceneOptions scene;
     std::optional<OutputName> output; ///< always set by parse_command_line
     SampleType type = SampleType::uint8;
+    Compression compression = Compression::zip;
+    FrameRate rate;
+    std::optional<std::filesystem::path> movie;
+    bool dry_run = false;
     FrameSettings frame;
     DeviceChoice device;
     unsigned threads = 0; ///< 0: one for each core that the process may use

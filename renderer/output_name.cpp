@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/output_name.h"
 #include "renderer/errors.h"
+#include "renderer/option_values.h"
 
 #include <algorithm>
 #include <cctype>
@@ -23,7 +24,9 @@ ImageFormat format_of(const std::filesystem::path& name) {
         return ImageFormat::tiff;
     if (extension == ".jpg" || extension == ".jpeg")
         return ImageFormat::jpeg;
-    throw UsageError(fmt::format("-o {}: {}; end the name in .png, .exr, .tif or .jpg", name.string(),
+    if (extension == ".gif")
+        return ImageFormat::gif;
+    throw UsageError(fmt::format("-o {}: {}; end the name in .png, .exr, .tif, .jpg or .gif", name.string(),
                                  extension.empty() ? "the name has no ending that says what to write"
                                                    : fmt::format("no picture is written as '{}'", extension)));
 }
@@ -38,7 +41,7 @@ const std::vector<BitsChoice>& choices_of(ImageFormat format) {
     static const std::vector<BitsChoice> exr{{"half", SampleType::half}, {"float", SampleType::float32}};
     static const std::vector<BitsChoice> tiff{
         {"8", SampleType::uint8}, {"16", SampleType::uint16}, {"float", SampleType::float32}};
-    static const std::vector<BitsChoice> jpeg{{"8", SampleType::uint8}};
+    static const std::vector<BitsChoice> palette_or_jpeg{{"8", SampleType::uint8}};
     switch (format) {
     case ImageFormat::png:
         return png;
@@ -47,9 +50,10 @@ const std::vector<BitsChoice>& choices_of(ImageFormat format) {
     case ImageFormat::tiff:
         return tiff;
     case ImageFormat::jpeg:
+    case ImageFormat::gif:
         break;
     }
-    return jpeg;
+    return palette_or_jpeg;
 }
 
 } // namespace
@@ -68,6 +72,19 @@ SampleType choose_sample_type(ImageFormat format, const std::optional<std::strin
     }
     throw UsageError(
         fmt::format("--bits {}: this type of file does not hold it; it holds {}", *bits, fmt::join(names, ", ")));
+}
+
+Compression choose_compression(ImageFormat format, const std::optional<std::string>& name) {
+    if (!name)
+        return Compression::zip;
+    if (format != ImageFormat::exr)
+        throw UsageError(fmt::format("--compression {}: only .exr files have a choice; leave it out", *name));
+    return parse_choice<Compression>("--compression", *name,
+                                     {{"zip", Compression::zip},
+                                      {"zips", Compression::zips},
+                                      {"piz", Compression::piz},
+                                      {"dwaa", Compression::dwaa},
+                                      {"none", Compression::none}});
 }
 
 } // namespace proxima

@@ -11,8 +11,16 @@
 
 namespace proxima {
 
-enum class ImageFormat { png, exr, tiff, jpeg };
+enum class ImageFormat { png, exr, tiff, jpeg, gif };
 enum class SampleType { uint8, uint16, half, float32 };
+
+/// Of EXR. All but dwaa keep every bit of the samples.
+enum class Compression { zip, zips, piz, dwaa, none };
+
+/// A GIF holds all frames of an animation; of the other formats each frame has a file.
+constexpr bool holds_animation(ImageFormat format) {
+    return format == ImageFormat::gif;
+}
 
 /// Half and float files hold scene-linear light; the others what a display shows.
 constexpr bool is_scene_linear(SampleType type) {
@@ -38,5 +46,8 @@ private:
 /// The sample type that --bits means for a file of this format; without --bits 8 bits, and half for EXR.
 /// Throws UsageError naming what fits.
 SampleType choose_sample_type(ImageFormat format, const std::optional<std::string>& bits);
+
+/// What --compression means; zip without it. Throws UsageError for a format that has no choice.
+Compression choose_compression(ImageFormat format, const std::optional<std::string>& name);
 
 } // namespace proxima

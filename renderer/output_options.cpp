@@ -9,6 +9,10 @@
 namespace proxima {
 namespace {
 
+std::optional<std::string> given(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(text);
+}
+
 OutputName read_output(const OutputTexts& texts, const SceneOptions& scene) {
     const bool still = scene.animation.is_still;
     if (texts.output.empty() && scene.scene == "-")
@@ -20,7 +24,10 @@ OutputName read_output(const OutputTexts& texts, const SceneOptions& scene) {
         throw UsageError(fmt::format("-o {}: a still has no frame number; take '#' or '%d' out of the name, or give "
                                      "--frames A-B",
                                      texts.output));
-    if (!still && !output.has_frame_number()) {
+    if (holds_animation(output.format()) && output.has_frame_number())
+        throw UsageError(
+            fmt::format("-o {}: a .gif holds all frames; take the frame number out of its name", texts.output));
+    if (!still && !output.has_frame_number() && !holds_animation(output.format())) {
         const std::filesystem::path name(texts.output);
         throw UsageError(fmt::format("-o {}: an animation's frames need names of their own; write {}.####{}",
                                      texts.output, (name.parent_path() / name.stem()).string(),
@@ -29,14 +36,37 @@ OutputName read_output(const OutputTexts& texts, const SceneOptions& scene) {
     return output;
 }
 
+std::optional<std::filesystem::path> read_movie(const OutputTexts& texts, const RenderOptions& options) {
+    if (texts.movie.empty())
+        return std::nullopt;
+    if (options.scene.animation.is_still)
+        throw UsageError(fmt::format("--movie {}: a still does not move; give --frames A-B too", texts.movie));
+    if (holds_animation(options.output->format()))
+        throw UsageError(
+            fmt::format("--movie {}: a film is made of picture files; write -o OUT.####.png", texts.movie));
+    return texts.movie;
+}
+
 } // namespace
 
 void add_output_options(CLI::App& command, OutputTexts& texts) {
     command
-        .add_option("-o,--output", texts.output,
-                    "Picture file: .png .exr .tif .jpg; #### or %04d is the frame [SCENE.png]")
+        .add_option(
+            "-o,--output", texts.output,
+            "Picture file: .png .exr .tif .jpg; #### or %04d is the frame; .gif for a whole animation [SCENE.png]")
         ->type_name("OUT");
     command.add_option("--bits", texts.bits, "8, 16, half or float a channel [8; half for .exr]")->type_name("B");
+    command
+        .add_option("--compression", texts.compression,
+                    "Of .exr: zip, zips, piz, none, or dwaa, which loses a little [zip]")
+        ->type_name("C");
+    command
+        .add_option("--fps", texts.fps,
+                    "Frames a second, for --movie, .gif and .exr headers: 24, 29.97, 30000/1001 [24]")
+        ->type_name("F");
+    command.add_option("--movie", texts.movie, "Make a film of the frames too, by ffmpeg: .mp4 or .webm")
+        ->type_name("FILE");
+    command.add_flag("--dry-run", texts.dry_run, "Print the frames and their files, and render nothing");
     command.add_option("--progress", texts.progress, "auto, plain, json or none, on standard error [auto]")
         ->type_name("STYLE");
     command.add_option("--stats-json", texts.stats_json, "Write what each step cost as JSON")->type_name("FILE");
@@ -44,8 +74,12 @@ void add_output_options(CLI::App& command, OutputTexts& texts) {
 
 void read_output_options(const OutputTexts& texts, RenderOptions& options) {
     options.output = read_output(texts, options.scene);
-    options.type =
-        choose_sample_type(options.output->format(), texts.bits.empty() ? std::nullopt : std::optional(texts.bits));
+    options.type = choose_sample_type(options.output->format(), given(texts.bits));
+    options.compression = choose_compression(options.output->format(), given(texts.compression));
+    if (!texts.fps.empty())
+        options.rate = parse_frame_rate(texts.fps);
+    options.dry_run = texts.dry_run;
+    options.movie = read_movie(texts, options);
     options.progress = parse_choice<ProgressStyle>("--progress", texts.progress,
                                                    {{"auto", ProgressStyle::automatic},
                                                     {"plain", ProgressStyle::plain},

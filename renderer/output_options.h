@@ -8,7 +8,8 @@
 namespace proxima {
 
 struct OutputTexts {
-    std::string output, bits, progress = "auto", stats_json;
+    std::string output, bits, compression, fps, movie, progress = "auto", stats_json;
+    bool dry_run = false;
 };
 
 void add_output_options(CLI::App& command, OutputTexts& texts);

@@ -25,6 +25,11 @@ namespace {
 
 constexpr unsigned frames_on_gpu = 2;
 
+void print_frames(const RenderOptions& options) {
+    for (const int64_t frame : options.scene.animation.frames)
+        fmt::print("{} {}\n", frame, options.output->path(frame).string());
+}
+
 void check_outputs(const RenderOptions& options) {
     for (const int64_t frame : {options.scene.animation.frames.front(), options.scene.animation.frames.back()})
         check_writable(options.output->path(frame));
@@ -67,6 +72,12 @@ void render_command(const RenderOptions& options) {
     const Stopwatch wall;
     const StopSignal stop;
     const Animation& animation = options.scene.animation;
+    if (options.dry_run)
+        return print_frames(options);
+    if (animation.frames.empty()) {
+        std::fputs("proxima: note: nothing to render: there are fewer frames than shards\n", stderr);
+        return;
+    }
     std::optional<tbb::global_control> limit;
     if (options.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
@@ -122,6 +133,7 @@ void render_command(const RenderOptions& options) {
         std::rethrow_exception(device_error);
     if (stop.caught() && run.frames.size() < animation.frames.size())
         throw Interrupted(stop.caught());
+    finisher.finish();
 }
 
 } // namespace proxima

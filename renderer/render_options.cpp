@@ -24,8 +24,7 @@ CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
     CLI::App* render = app.add_subcommand("render", "Render a scene into picture files");
     add_scene(*render, texts.scene);
     add_scene_options(*render, texts.scene);
-    render->add_option("--subset", texts.scene.subset, "The frames of --frames to render now [all]")
-        ->type_name("RANGE");
+    add_choice_options(*render, texts.scene, "render");
     render->add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
     add_antialias_option(*render, texts.antialias);
     add_device_options(*render, texts.device);
@@ -50,7 +49,7 @@ RenderOptions read_render_options(const CLI::App& command, RenderTexts& texts) {
     RenderOptions options;
     options.scene = read_scene_options(texts.scene);
     read_output_options(texts.output, options);
-    options.color = read_color_options(texts.color, options.type);
+    options.color = read_color_options(texts.color, options.type, options.movie.has_value());
     options.frame = read_picture_settings(texts, options.scene);
     options.device = parse_device(texts.device.device);
     options.threads = parse_count("--threads", texts.device.threads, 0, 4096);

@@ -3,6 +3,7 @@
 #include "renderer/errors.h"
 #include "renderer/frame_range.h"
 #include "renderer/option_values.h"
+#include "renderer/shard.h"
 
 #include <unordered_set>
 
@@ -15,6 +16,8 @@ Animation read_animation(const SceneTexts& texts) {
     if (texts.frames.empty()) {
         if (!texts.subset.empty())
             throw UsageError("--subset: it chooses from an animation's frames; give --frames A-B too");
+        if (!texts.shard.empty())
+            throw UsageError("--shard: it chooses from an animation's frames; give --frames A-B too");
         if (texts.cyclic)
             throw UsageError("--cyclic: only an animation goes round; give --frames A-B too");
         if (clock.final)
@@ -34,6 +37,8 @@ Animation read_animation(const SceneTexts& texts) {
             throw UsageError(
                 fmt::format("--subset {}: frame {} is not one of --frames {}; --frames is the whole animation",
                             texts.subset, frame, texts.frames));
+    if (!texts.shard.empty())
+        frames = parse_shard(texts.shard).of(frames);
     Animation animation = Animation::sequence(all, std::move(frames));
     animation.cyclic = texts.cyclic;
     if (clock.final) {
@@ -47,6 +52,15 @@ Animation read_animation(const SceneTexts& texts) {
 
 void add_scene(CLI::App& command, SceneTexts& texts) {
     command.add_option("SCENE", texts.scene, "The scene file, - for standard input, or a POV-Ray .ini")->required();
+}
+
+void add_choice_options(CLI::App& command, SceneTexts& texts, const char* doing) {
+    command.add_option("--subset", texts.subset, fmt::format("The frames of --frames to {} now [all]", doing))
+        ->type_name("RANGE");
+    command
+        .add_option("--shard", texts.shard,
+                    "Part I of N of those, every Nth frame; slurm: the part that a Slurm array task is [1/1]")
+        ->type_name("I/N");
 }
 
 void add_scene_options(CLI::App& command, SceneTexts& texts) {

@@ -11,7 +11,7 @@ namespace proxima {
 
 /// The options as the user wrote them; empty where absent.
 struct SceneTexts {
-    std::string scene, size = "640x480", frames, subset, clock;
+    std::string scene, size = "640x480", frames, subset, shard, clock;
     std::string max_steps, max_memory, max_seconds;
     std::vector<std::string> include_paths, declares;
     bool cyclic = false;
@@ -23,7 +23,9 @@ struct DeviceTexts {
 };
 
 void add_scene(CLI::App& command, SceneTexts& texts);
-/// Everything but the scene itself and --subset.
+/// --subset and --shard, which choose from the frames.
+void add_choice_options(CLI::App& command, SceneTexts& texts, const char* doing);
+/// Everything but the scene itself and those.
 void add_scene_options(CLI::App& command, SceneTexts& texts);
 void add_device_options(CLI::App& command, DeviceTexts& texts);
 void add_antialias_option(CLI::App& command, std::string& text);

@@ -43,7 +43,8 @@ Json frame_json(const FrameRecord& record) {
             {"encode_ms", record.encode_ms},
             {"write_ms", record.write_ms},
             {"peak_device_bytes", statistics.peak_device_bytes},
-            {"replaced_samples", record.replaced_samples}};
+            {"replaced_samples", record.replaced_samples},
+            {"clamped_samples", record.clamped_samples}};
 }
 
 } // namespace

@@ -16,6 +16,7 @@ struct FrameRecord {
     std::string precision{};
     FrameStatistics statistics{};
     uint64_t replaced_samples = 0; ///< not finite, see replace_non_finite
+    uint64_t clamped_samples = 0;  ///< beyond what a half holds
     double color_ms = 0, encode_ms = 0, write_ms = 0;
 };
 

@@ -162,3 +162,10 @@ TEST_CASE("color: samples that are not finite are replaced and counted") {
     CHECK(image.rgb == std::vector<float>{0.5f, 0.0f, 65504.0f, -65504.0f, 1e30f, -1.0f});
     CHECK(replace_non_finite(image) == 0);
 }
+
+TEST_CASE("color: samples beyond the largest half are brought back to it and counted") {
+    Image image{2, 1, {1e30f, -1e30f, 65504.0f, 0, 65505.0f, -65504.0f}};
+    CHECK(clamp_to_half(image) == 3);
+    CHECK(image.rgb == std::vector<float>{65504.0f, -65504.0f, 65504.0f, 0, 65504.0f, -65504.0f});
+    CHECK(clamp_to_half(image) == 0);
+}

@@ -2,8 +2,10 @@
 // Files are read back by OpenImageIO itself.
 #include "renderer/atomic_file.h"
 #include "renderer/image_file.h"
+#include "renderer/sequence_file.h"
 
 #include <OpenImageIO/imageio.h>
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -84,7 +86,8 @@ TEST_CASE("image file: what was written is read back, in every format and type")
 TEST_CASE("image file: a 16-bit PNG of the Raw view holds the linear numbers") {
     const Image image = gradient(64, 64);
     const ReadBack file = write_and_read(
-        image, {.format = ImageFormat::png, .type = SampleType::uint16, .color_encoding = "Linear"}, "raw.png");
+        image, {.format = ImageFormat::png, .type = SampleType::uint16, .facts = {.color_encoding = "Linear"}},
+        "raw.png");
     for (size_t i = 0; i < image.rgb.size(); ++i)
         REQUIRE(file.levels[i] == uint16_t(std::floor(double(image.rgb[i]) * 65535 + 0.5)));
     CHECK(file.spec.get_float_attribute("oiio:Gamma") == doctest::Approx(1.0f));
@@ -93,7 +96,7 @@ TEST_CASE("image file: a 16-bit PNG of the Raw view holds the linear numbers") {
 TEST_CASE("image file: PNG says how its colours are encoded") {
     const Image image = gradient(8, 8);
     const auto space = [&](const char* encoding) {
-        const ReadBack file = write_and_read(image, {.color_encoding = encoding}, "space.png");
+        const ReadBack file = write_and_read(image, {.facts = {.color_encoding = encoding}}, "space.png");
         return file.spec.get_string_attribute("oiio:ColorSpace");
     };
     CHECK(space("sRGB") == "sRGB");
@@ -101,30 +104,98 @@ TEST_CASE("image file: PNG says how its colours are encoded") {
     CHECK(space("Gamma2.4") == "Gamma2.4");
 }
 
-TEST_CASE("image file: EXR says which colours its numbers mean") {
-    const ReadBack file = write_and_read(gradient(8, 8),
-                                         {.format = ImageFormat::exr,
-                                          .type = SampleType::half,
-                                          .color_encoding = "Linear",
-                                          .scene = "ball.scn",
-                                          .frame = -7},
-                                         "meta.exr");
+TEST_CASE("image file: EXR has its facts under the names that others know") {
+    const std::array<float, 8> rec709{0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+    std::array<float, 16> matrix{};
+    for (size_t i = 0; i < 16; ++i)
+        matrix[i] = float(i) / 4;
+    ImageFileSettings settings{.format = ImageFormat::exr, .type = SampleType::half};
+    settings.facts = {.scene = "ball.scn",
+                      .hash = "00112233445566778899aabbccddeeff",
+                      .color_encoding = "Linear",
+                      .chromaticities = rec709,
+                      .color_interop_id = "lin_rec709_scene",
+                      .frame = 86400 + 25,
+                      .rate = FrameRate{24, 1},
+                      .world_to_camera = matrix,
+                      .world_to_ndc = matrix};
+    const ReadBack file = write_and_read(gradient(8, 8), settings, "meta.exr");
     CHECK(file.spec.get_string_attribute("colorInteropID") == "lin_rec709_scene");
     CHECK(file.spec.get_string_attribute("proxima:scene") == "ball.scn");
-    CHECK(file.spec.get_int_attribute("proxima:frame") == -7);
-    CHECK(file.spec.get_string_attribute("compression") == "zip");
-    const auto* primaries = file.spec.find_attribute("chromaticities");
-    REQUIRE(primaries);
-    const auto* values = static_cast<const float*>(primaries->data());
-    const float expected[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
-    for (int i = 0; i < 8; ++i)
-        CHECK(values[i] == expected[i]);
+    CHECK(file.spec.get_int_attribute("proxima:frame") == 86425);
+    CHECK(file.spec.get_string_attribute("proxima:hash") == settings.facts.hash);
+    const auto numbers = [&](const char* name, size_t count) {
+        const auto* found = file.spec.find_attribute(name);
+        REQUIRE(found);
+        REQUIRE(size_t(found->type().basevalues()) == count);
+        const auto* values = static_cast<const float*>(found->data());
+        return std::vector<float>(values, values + count);
+    };
+    CHECK(numbers("chromaticities", 8) == std::vector<float>(rec709.begin(), rec709.end()));
+    CHECK(numbers("worldToCamera", 16) == std::vector<float>(matrix.begin(), matrix.end()));
+    CHECK(numbers("worldToNDC", 16) == std::vector<float>(matrix.begin(), matrix.end()));
+    const auto* rate = file.spec.find_attribute("FramesPerSecond");
+    REQUIRE(rate);
+    CHECK(static_cast<const int*>(rate->data())[0] == 24);
+    CHECK(file.spec["smpte:TimeCode"].get() == "01:00:01:01");
+    CHECK_FALSE(file.spec.find_attribute("DateTime"));
+    CHECK_FALSE(file.spec.find_attribute("capDate"));
 }
 
-TEST_CASE("image file: numbers beyond a half's stay finite in a half file") {
-    const Image image{2, 1, {1e30f, -1e30f, 65504.0f, 0, 1, 2}};
-    const ReadBack file = write_and_read(image, {.format = ImageFormat::exr, .type = SampleType::half}, "large.exr");
-    CHECK(file.rgb == std::vector<float>{65504.0f, -65504.0f, 65504.0f, 0, 1, 2});
+TEST_CASE("image file: formats that know texts alone have the facts as a sentence") {
+    for (const auto& [format, name] :
+         {std::pair{ImageFormat::png, "text.png"}, {ImageFormat::tiff, "text.tif"}, {ImageFormat::jpeg, "text.jpg"}}) {
+        CAPTURE(name);
+        ImageFileSettings settings{.format = format};
+        settings.facts = {.scene = "ball.scn", .hash = "00112233445566778899aabbccddeeff", .frame = -7};
+        const ReadBack file = write_and_read(gradient(8, 8), settings, name);
+        CHECK(file.spec.get_string_attribute("ImageDescription") ==
+              "frame -7 of ball.scn, hash 00112233445566778899aabbccddeeff");
+    }
+}
+
+TEST_CASE("image file: EXR is compressed as asked, and all but dwaa keep every bit") {
+    const Image image = gradient(64, 40);
+    struct Row {
+        Compression compression;
+        const char* name;
+    };
+    for (const Row& row : {Row{Compression::zip, "zip"}, Row{Compression::zips, "zips"}, Row{Compression::piz, "piz"},
+                           Row{Compression::none, "none"}, Row{Compression::dwaa, "dwaa"}}) {
+        CAPTURE(row.name);
+        const ReadBack file = write_and_read(
+            image, {.format = ImageFormat::exr, .type = SampleType::float32, .compression = row.compression},
+            "packed.exr");
+        CHECK(file.spec.get_string_attribute("compression").find(row.name) == 0);
+        if (row.compression != Compression::dwaa)
+            CHECK(file.rgb == image.rgb);
+        for (size_t i = 0; i < image.rgb.size(); ++i)
+            REQUIRE(std::abs(file.rgb[i] - image.rgb[i]) < 0.01f);
+    }
+}
+
+TEST_CASE("image file: a GIF holds its pictures in order, each for its time") {
+    ImageFileSettings settings{.format = ImageFormat::gif};
+    settings.facts.rate = FrameRate{25, 1};
+    SequenceFile file("moving.gif", encoder().encode_sequence(16, 8, settings));
+    const auto grey = [](uint8_t level) { return std::vector<uint8_t>(16 * 8 * 3, level); };
+    file.add(2, grey(200));
+    file.add(0, grey(0));
+    file.add(1, grey(100));
+    file.finish();
+    const auto input = OIIO::ImageInput::open("moving.gif");
+    REQUIRE(input);
+    for (int i = 0; i < 3; ++i) {
+        REQUIRE(input->seek_subimage(i, 0));
+        std::vector<uint8_t> levels(16 * 8 * size_t(input->spec().nchannels));
+        REQUIRE(input->read_image(i, 0, 0, -1, OIIO::TypeDesc::UINT8, levels.data()));
+        CHECK(std::abs(int(levels[0]) - i * 100) <= 8); // a palette has fewer bits
+        const auto* rate = input->spec().find_attribute("FramesPerSecond");
+        REQUIRE(rate);
+        CHECK(static_cast<const int*>(rate->data())[0] / static_cast<const int*>(rate->data())[1] == 25);
+    }
+    CHECK_FALSE(input->seek_subimage(3, 0));
+    std::filesystem::remove("moving.gif");
 }
 
 TEST_CASE("image file: the same picture gives the same bytes") {
@@ -132,7 +203,7 @@ TEST_CASE("image file: the same picture gives the same bytes") {
     for (const ImageFormat format : {ImageFormat::png, ImageFormat::exr, ImageFormat::tiff, ImageFormat::jpeg}) {
         const ImageFileSettings settings{.format = format,
                                          .type = choose_sample_type(format, {}),
-                                         .color_encoding = format == ImageFormat::exr ? "Linear" : "sRGB"};
+                                         .facts = {.color_encoding = format == ImageFormat::exr ? "Linear" : "sRGB"}};
         CAPTURE(int(format));
         CHECK(encoder().encode(image, settings) == encoder().encode(image, settings));
     }

