@@ -186,6 +186,7 @@ void Evaluator::store_element(const Token& name, Value& whole, const std::vector
         array->depth = std::max(array->depth, depth--);
         element = &array->elements[index];
     }
+    check_redeclaration(name, *element, value);
     changes_ += value_changes(*element, value);
     add_element(name, *array, *element, std::move(value));
 }

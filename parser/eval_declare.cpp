@@ -84,9 +84,10 @@ void Evaluator::run_declare(const Token& directive) {
     const std::vector<uint32_t> element = declared_element(name, known, directive);
     try {
         expect(TokenKind::equal);
+        const bool is_copy = peek().kind == TokenKind::name;
         Value value = right_hand_side();
         // POV-Ray insists on the semicolon after numbers, and on its standing right there.
-        if (std::holds_alternative<Terms>(value)) {
+        if (std::holds_alternative<Terms>(value) || (is_copy && is_callable(&value))) {
             if (!after_value(TokenKind::semicolon) || directive_before_)
                 throw SceneError(declared, fmt::format("this {} lacks its ';'", spelling(directive)),
                                  "a #declare of a number, vector or color ends in ';', with no directive before it");
@@ -94,6 +95,10 @@ void Evaluator::run_declare(const Token& directive) {
         } else if (after_value(TokenKind::semicolon)) {
             advance();
         }
+        // The local names in the macros of standard files are ours: they may hide functions of the scene.
+        if (const Binding* before = scopes_.find(symbol);
+            before && element.empty() && !sources_.is_standard(program_->file))
+            check_redeclaration(name, before->value, value);
         Binding& binding = directive.directive == Directive::local && element.empty() ? scopes_.declare_local(symbol)
                                                                                       : scopes_.declare(symbol);
         if (!element.empty())
@@ -153,7 +158,7 @@ Value Evaluator::right_hand_side() {
         const Value* named = named_value(token);
         if (named && (std::holds_alternative<MacroRef>(*named) || std::holds_alternative<DataFileRef>(*named)))
             fail_unexpected("a value");
-        if (named && !std::holds_alternative<Terms>(*named)) {
+        if (named && !std::holds_alternative<Terms>(*named) && !starts_call(token)) {
             Value value = *named;
             advance();
             return value;
@@ -161,6 +166,10 @@ Value Evaluator::right_hand_side() {
     }
     if (accept(Word::array))
         return array();
+    if (accept(Word::function))
+        return function_value();
+    if (accept(Word::spline))
+        return spline();
     if (peek_is(Word::t))
         fail_unexpected("a value; a lone t needs parentheses");
     if (peek_is(Word::texture)) {

@@ -192,6 +192,11 @@ Terms Evaluator::factor() {
 
 Terms Evaluator::name_factor(const Token& name) {
     const Value* named = named_value(name);
+    if (is_callable(named)) {
+        Terms terms = call_declared(name);
+        access(terms);
+        return terms;
+    }
     const Terms* value = named ? std::get_if<Terms>(named) : nullptr;
     if (!value)
         fail_unexpected("a number or a vector");

@@ -68,7 +68,7 @@ bool Evaluator::starts_expression() {
     case TokenKind::bang:
         return true;
     case TokenKind::name:
-        return identifier<Terms>() != nullptr;
+        return identifier<Terms>() || is_callable(named_value(token));
     case TokenKind::word:
         return token.index >= uint32_t(Word::x) && token.index <= uint32_t(Word::val);
     default:

@@ -16,6 +16,8 @@
 
 namespace proxima {
 
+enum class SplineKind;
+
 class Evaluator {
 public:
     Evaluator(ScriptSources& sources, const EvaluationSettings& settings, Diagnostics& diagnostics);
@@ -175,6 +177,23 @@ private:
     void charge(uint64_t bytes);
     void check_budget();
     [[noreturn]] void fail_budget(std::string message);
+
+    // eval_user_functions.cpp
+    class FunctionReader; ///< function_reader.h
+    class FunctionCall;
+    Value function_value();
+    static bool is_callable(const Value* value);
+    bool starts_call(const Token& name);
+    Terms call_declared(const Token& name);
+    Terms call_user_function(const Token& name, UserFunction& function);
+    void check_redeclaration(const Token& name, const Value& old, const Value& value) const;
+
+    // eval_splines.cpp
+    Value spline();
+    bool starts_time();
+    void spline_point(Spline& spline);
+    void check_spline(const Token& at, const Spline& spline, SplineKind kind) const;
+    Terms call_spline(const Spline& spline);
 
     // eval_arrays.cpp
     Value array();

@@ -55,6 +55,8 @@ const char* value_description(const Value& value) {
         const char* operator()(const MacroRef&) const { return "a macro"; }
         const char* operator()(const ArrayRef&) const { return "an array"; }
         const char* operator()(const DataFileRef&) const { return "an open file"; }
+        const char* operator()(const FunctionRef&) const { return "a function"; }
+        const char* operator()(const SplineRef&) const { return "a spline"; }
         const char* operator()(Refused) const { return "a name that Proxima refuses"; }
     };
     return std::visit(Describe{}, value);

@@ -128,6 +128,8 @@ struct Refused {
 struct Array;
 class DataFile;
 struct Macro;
+class Spline;
+struct UserFunction;
 
 using ShapeRef = std::shared_ptr<const Shape>;
 using SkyRef = std::shared_ptr<const SkySphere>;
@@ -137,10 +139,12 @@ using TransformRef = std::shared_ptr<const TransformPair>;
 using MacroRef = std::shared_ptr<const Macro>;
 using ArrayRef = std::shared_ptr<Array>;       ///< see array.h
 using DataFileRef = std::shared_ptr<DataFile>; ///< an open file
+using FunctionRef = std::shared_ptr<UserFunction>;
+using SplineRef = std::shared_ptr<const Spline>;
 
-using Value =
-    std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef, MaterialValue,
-                 ShapeRef, ColorMapRef, SkyRef, FogRef, CameraRef, TransformRef, MacroRef, Refused, ArrayRef, DataFileRef>;
+using Value = std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef,
+                           MaterialValue, ShapeRef, ColorMapRef, SkyRef, FogRef, CameraRef, TransformRef, MacroRef,
+                           Refused, ArrayRef, DataFileRef, FunctionRef, SplineRef>;
 
 /// What POV-Ray tells apart where a value may replace only one of its kind.
 struct ValueKind {

@@ -50,7 +50,9 @@ namespace proxima {
     X(number_of_waves, "number_of_waves") X(noise_generator, "noise_generator") X(mm_per_unit, "mm_per_unit") \
     X(ascii, "ascii") X(utf8, "utf8") \
     /* values */ \
-    X(array, "array") X(append, "append") \
+    X(array, "array") X(append, "append") X(function, "function") X(spline, "spline") \
+    X(linear_spline, "linear_spline") X(quadratic_spline, "quadratic_spline") X(cubic_spline, "cubic_spline") \
+    X(natural_spline, "natural_spline") \
     /* colours */ \
     X(color, "color") X(colour, "colour") X(rgb, "rgb") X(rgbf, "rgbf") X(rgbt, "rgbt") X(rgbft, "rgbft") \
     X(srgb, "srgb") X(srgbf, "srgbf") X(srgbt, "srgbt") X(srgbft, "srgbft") X(red, "red") X(green, "green") \
