@@ -60,7 +60,7 @@ constexpr Named index_aliases[] = {
 } // namespace
 
 std::string ior() {
-    std::string text;
+    std::string text = "#declare FnPovDispersion = function(x, y) { 1 + y/(x - y/2) }\n";
     for (const auto& [name, ior, spread] : measured)
         text +=
             fmt::format("#declare ior{0} = {1};\n#declare disp{0} = 1 + ({2})/({1} - ({2})/2);\n", name, ior, spread);

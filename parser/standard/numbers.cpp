@@ -81,28 +81,25 @@ std::string math() {
     const std::string text = R"(
 #include "functions.inc"
 
-// In POV-Ray these are functions, which take numbers alone: pow(A, 1) is A, if that is a number.
-#macro sind(Angle) sin(radians(Angle)) #end
-#macro cosd(Angle) cos(radians(Angle)) #end
-#macro tand(Angle) tan(radians(Angle)) #end
-#macro asind(Ratio) degrees(asin(Ratio)) #end
-#macro acosd(Ratio) degrees(acos(Ratio)) #end
-#macro atand(Ratio) degrees(atan(Ratio)) #end
-#macro atan2d(Y, X) degrees(atan2(Y, X)) #end
-#macro max3(A, B, C) max(A, B, C) #end
-#macro min3(A, B, C) min(A, B, C) #end
-#macro even(N) select(mod(N, 2), 0, 1, 0) #end
-#macro odd(N) select(mod(N, 2), 1, 0, 1) #end
-#macro f_sqr(N) (N*pow(N, 1)) #end
-#macro sgn(N) select(N, -1, 0, 1) #end
-#macro clip(N, Low, High) min(High, max(N, Low)) #end
-#macro clamp(N, Low, High)
-  (mod(N - Low, High - Low) + select(mod(N - Low, High - Low), High, Low))
-#end
-#macro adj_range(N, Low, High) (pow(N, 1)*pow(High - Low, 1) + Low) #end
-#macro adj_range2(N, Low, High, New_Low, New_High)
-  (pow((N - Low)/(High - Low), 1)*pow(New_High - New_Low, 1) + New_Low)
-#end
+#declare sind = function(x) { sin(radians(x)) }
+#declare cosd = function(x) { cos(radians(x)) }
+#declare tand = function(x) { tan(radians(x)) }
+#declare asind = function(x) { degrees(asin(x)) }
+#declare acosd = function(x) { degrees(acos(x)) }
+#declare atand = function(x) { degrees(atan(x)) }
+#declare atan2d = function(x, y) { degrees(atan2(x, y)) }
+#declare max3 = function(x, y, z) { max(x, y, z) }
+#declare min3 = function(x, y, z) { min(x, y, z) }
+#declare even = function(x) { select(mod(x, 2), 0, 1, 0) }
+#declare odd = function(x) { select(mod(x, 2), 1, 0, 1) }
+#declare f_sqr = function(x) { x*x }
+#declare sgn = function(x) { select(x, -1, 0, 1) }
+#declare clip = function(x, y, z) { min(z, max(x, y)) }
+#declare clamp = function(x, y, z) { mod(x - y, z - y) + select(mod(x - y, z - y), z, y) }
+#declare adj_range = function(x, y, z) { x*(z - y) + y }
+#declare adj_range2 = function(x, y, z, math_new_low, math_new_high) {
+  (x - y)/(z - y)*(math_new_high - math_new_low) + math_new_low
+}
 #macro Interpolate(At, Start, End, A, B, Power)
   (#if (Power != 0)
     A + (B - A)*pow((At - Start)/(End - Start), Power)
@@ -148,15 +145,8 @@ std::string math() {
 #macro VMin(A) min(A.x, A.y, A.z) #end
 #macro VMax(A) max(A.x, A.y, A.z) #end
 #macro VWith_Len(A, Length) (Length*vnormalize(A)) #end
-
-#ifndef (__Gradient_Fn_Accuracy_)
-  #declare __Gradient_Fn_Accuracy_ = 0.001;
-#end
-#macro SetGradientAccuracy(Step)
-  #declare __Gradient_Fn_Accuracy_ = abs(Step);
-#end
 )";
-    return text + array_statistics();
+    return text + gradients() + array_statistics();
 }
 
 std::string transforms() {
@@ -187,6 +177,19 @@ std::string transforms() {
   #local To_Y = vaxis_rotate(y, Axis, Angle);
   #local To_Z = vaxis_rotate(z, Axis, Angle);
   Shear_Trans(To_X, To_Y, To_Z)
+#end
+#macro Spline_Trans(Curve, Time, Up, Foresight, Banking)
+  #local Here = <0, 0, 0> + Curve(Time);
+  #local Ahead = <0, 0, 0> + Curve(Time + Foresight);
+  #local Behind = <0, 0, 0> + Curve(Time - Foresight);
+  #local Front = vnormalize(Ahead - Here);
+  #local Side = VPerp_To_Plane(Up, Front);
+  #local Top = VPerp_To_Plane(Front, Side);
+  #local Turn = VRotation(VProject_Plane(Ahead - Here, Up), VProject_Plane(Here - Behind, Up), Top);
+  transform {
+    rotate degrees(atan2(Turn*Banking, 1))*z
+    Matrix_Trans(Side, Top, Front, Here)
+  }
 #end
 #macro Rotate_Around_Trans(Angles, Center)
   transform { translate -Center rotate Angles translate Center }

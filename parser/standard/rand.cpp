@@ -29,6 +29,15 @@ std::string rand() {
   (Far*VRand_On_Sphere(Stream))
 #end
 
+#macro Rand_Spline(Curve, Stream)
+  #local Searching = 1;
+  #while (Searching)
+    #local Value = rand(Stream);
+    #local Searching = (Curve(Value).y < rand(Stream));
+  #end
+  (Value)
+#end
+
 #macro Rand_Bernoulli(P, Stream) (P >= rand(Stream) ? 1 : 0) #end
 #macro Rand_Cauchy(Center, Width, Stream) (Width*tan(pi*(rand(Stream) - 0.5)) + Center) #end
 #macro Rand_Exp(Rate, Stream) (-ln(rand(Stream))/Rate) #end

@@ -46,11 +46,6 @@ inline constexpr RefusedNames glass_refused[] = {
      "I_Glass_Caustics1 I_Glass_Caustics2"},
 };
 
-inline constexpr RefusedNames ior_refused[] = {
-    {"function",
-     "FnPovDispersion"},
-};
-
 inline constexpr RefusedNames logo_refused[] = {
     {"cone",
      "Povray_Logo Povray_Logo_Bevel"},
@@ -58,15 +53,7 @@ inline constexpr RefusedNames logo_refused[] = {
      "Povray_Logo_Prism"},
 };
 
-inline constexpr RefusedNames math_refused[] = {
-    {"function",
-     "fn_Gradient fn_Gradient_Directional fn_Divergence vGradient vCurl Divergence Gradient_Length "
-     "Gradient_Directional"},
-};
-
 inline constexpr RefusedNames rand_refused[] = {
-    {"spline",
-     "Rand_Spline"},
     {"inside",
      "VRand_In_Obj"},
 };
@@ -157,9 +144,7 @@ inline constexpr RefusedNames strings_refused[] = {
 inline constexpr RefusedNames transforms_refused[] = {
     {"min_extent",
      "Center_Trans Align_Trans"},
-    {"spline",
-     "Spline_Trans"},
-    {"function",
+    {"function { transform }",
      "vtransform vinv_transform"},
 };
 

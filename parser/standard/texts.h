@@ -20,6 +20,7 @@ std::string finish();
 std::string glass();
 std::string glass_old();
 std::string golds();
+std::string gradients(); ///< a part of math.inc
 std::string ior();
 std::string logo();
 std::string math();

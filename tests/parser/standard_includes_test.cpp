@@ -154,3 +154,13 @@ TEST_CASE("standard includes: a name whose file is not included says which file 
 TEST_CASE("standard includes: none of their names is noted as unused") {
     CHECK(evaluate(everything + "sphere { 0, 1 }").messages == "");
 }
+
+TEST_CASE("standard includes: what functions and splines of a scene are called does not matter to their macros") {
+    const SceneProgram scene =
+        scene_of("#include \"transforms.inc\" #declare Side = function { x } #declare Front = function { x }"
+                 "#declare S = spline { 0, x 1, y }"
+                 "sphere { 0, 1 Spline_Trans(S, 0.5, z, 0.1, 0) } sphere { Side(3, 0, 0)*x, 1 }");
+    REQUIRE(scene.spheres.size() == 2);
+    check_near(scene.spheres[0].center, {0.5, 0.5, 0});
+    CHECK(scene.spheres[1].center.x == 3);
+}
