@@ -22,6 +22,14 @@ public:
             render_squares(settings, picture, trace);
     }
 
+    /// Gives the memory back.
+    void free() {
+        coarse_.free();
+        fine_.free();
+        marks_.free();
+        refined_.free();
+    }
+
 private:
     template <class T> using Buffer = typename Backend::template Buffer<T>;
     static_assert(Rows::unit % DecideBlock::side == 0, "a band has whole blocks");

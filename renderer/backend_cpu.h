@@ -107,6 +107,11 @@ public:
         }
         size_ = count;
     }
+    /// Gives the memory back, and the contents up.
+    void free() {
+        release();
+        size_ = 0;
+    }
     /// Grows to `count` and calls convert(i) for each element.
     template <class Convert> void upload(size_t count, const Convert& convert) {
         resize(count);

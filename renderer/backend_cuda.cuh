@@ -126,14 +126,14 @@ private:
         }
         void* data() const { return data_; }
         size_t capacity() const { return capacity_; }
-
-    private:
         void release() {
             cudaFree(data_);
             backend_->memory_.remove(capacity_);
             data_ = nullptr;
             capacity_ = 0;
         }
+
+    private:
         CudaBackend* backend_;
         void* data_ = nullptr;
         size_t capacity_ = 0;
@@ -155,6 +155,11 @@ public:
     void resize(size_t count) {
         bytes_.reserve(count * sizeof(T));
         size_ = count;
+    }
+    /// Gives the memory back, and the contents up.
+    void free() {
+        bytes_.release();
+        size_ = 0;
     }
     /// Grows to `count` and copies convert(i) to each element, a piece at a time.
     template <class Convert> void upload(size_t count, const Convert& convert) {

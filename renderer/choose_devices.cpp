@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <future>
+#include <tbb/info.h>
 
 namespace proxima {
 namespace {
@@ -19,6 +20,15 @@ void add(std::vector<ChosenDevice>& devices, ChosenDevice device) {
     if (same > 0)
         device.name += fmt::format("#{}", same + 1);
     devices.push_back(std::move(device));
+}
+
+/// What each CPU of the list gets of the threads, so that several stand in for devices of their own.
+unsigned share_of_threads(const DeviceChoice& choice, unsigned threads) {
+    const auto cpus = unsigned(std::count(choice.items.begin(), choice.items.end(), Item{Item::Kind::cpu}));
+    if (cpus <= 1)
+        return threads;
+    const unsigned all = threads ? threads : unsigned(tbb::info::default_concurrency());
+    return std::max(1u, all / cpus);
 }
 
 void add_cpu(std::vector<ChosenDevice>& devices, unsigned threads) {
@@ -54,7 +64,7 @@ std::vector<ChosenDevice> choose_devices(const DeviceChoice& choice, unsigned th
     }
     for (const Item& item : choice.items) {
         if (item.kind == Item::Kind::cpu) {
-            add_cpu(devices, threads);
+            add_cpu(devices, share_of_threads(choice, threads));
         } else if (item.kind == Item::Kind::every_cuda) {
             if (count == 0)
                 refuse("cuda", "there is no CUDA device (" + reason + ")");

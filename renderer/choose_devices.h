@@ -19,7 +19,8 @@ struct ChosenDevice {
     std::function<std::unique_ptr<FrameRenderer>()> make;
 };
 
-/// The devices that `choice` means, in its order: at least one. `threads` is the CPU's (0: all).
+/// The devices that `choice` means, in its order: at least one. `threads` is the CPU's (0: all), which several of them
+/// share.
 /// Throws UsageError when one that was asked for by name is not there.
 std::vector<ChosenDevice> choose_devices(const DeviceChoice& choice, unsigned threads);
 

@@ -13,21 +13,26 @@ FrameFinisher::FrameFinisher(const RenderOptions& options) : options_(options) {
         movie_.emplace(*options.movie, options.rate);
 }
 
-void FrameFinisher::start(Progress& progress) {
+void FrameFinisher::start(Progress& progress, RunWatch watch) {
     progress_ = &progress;
+    watch_ = watch;
     encoder_.emplace();
 }
 
 void FrameFinisher::operator()(FinishedFrame& frame) {
     FrameRecord& record = frame.record;
-    timed(record.color_ms, [&] { prepare(frame); });
+    FrameWatch watch(watch_, "writer", record.frame);
+    take_step(&watch, FrameStep::color, record.color_ms, [&] { prepare(frame); });
     report(record);
     if (holds_animation(options_.output->format())) {
-        timed(record.encode_ms, [&] { sequence(frame).add(frame.index, quantize_to_bytes(frame.image)); });
+        take_step(&watch, FrameStep::encode, record.encode_ms,
+                  [&] { sequence(frame).add(frame.index, quantize_to_bytes(frame.image)); });
         return;
     }
-    const auto bytes = timed(record.encode_ms, [&] { return encoder_->encode(frame.image, file_settings(record)); });
-    timed(record.write_ms, [&] { write_file(record.file, bytes); });
+    std::vector<unsigned char> bytes;
+    take_step(&watch, FrameStep::encode, record.encode_ms,
+              [&] { bytes = encoder_->encode(frame.image, file_settings(record)); });
+    take_step(&watch, FrameStep::write, record.write_ms, [&] { write_file(record.file, bytes); });
 }
 
 void FrameFinisher::prepare(FinishedFrame& frame) {

@@ -3,6 +3,7 @@
 // that any thread may call; and what follows when all frames are there.
 #pragma once
 #include "renderer/color.h"
+#include "renderer/frame_watch.h"
 #include "renderer/frame_writer.h"
 #include "renderer/image_file.h"
 #include "renderer/movie.h"
@@ -21,9 +22,9 @@ public:
     /// must outlive this.
     explicit FrameFinisher(const RenderOptions& options);
 
-    /// Begins to load what encodes, beside what the caller does next, and says where messages go. Before the first
-    /// frame.
-    void start(Progress& progress);
+    /// Begins to load what encodes, beside what the caller does next, and says where messages go and who watches the
+    /// steps. Before the first frame.
+    void start(Progress& progress, RunWatch watch = {});
 
     /// Writes the file of a frame, or puts the frame into the animation's file, and completes its record. Throws
     /// FileError.
@@ -46,6 +47,7 @@ private:
     std::mutex mutex_;
     std::unique_ptr<SequenceFile> sequence_; ///< made for the first frame
     Progress* progress_ = nullptr;
+    RunWatch watch_;
 };
 
 } // namespace proxima

@@ -29,6 +29,22 @@ public:
     FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, StepWatch* watch,
                            Image& image) {
         watch_ = watch;
+        try {
+            return render(settings, times, image);
+        } catch (const DeviceError& error) {
+            if (error.kind == DeviceError::Kind::out_of_memory)
+                free_film();
+            throw;
+        }
+    }
+
+private:
+    static constexpr uint64_t most_pixels = 1ull << 31; ///< kernels count in 32 bits
+    template <class T> using Buffer = typename Backend::template Buffer<T>;
+    using WaitingPrecision = PathPrecision<Real, Features::all>;
+    using WaitingPath = PathState<Real, WaitingPrecision>;
+
+    FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) {
         FrameStatistics statistics;
         const FilmView film = make_film(settings); // before the grid, which makes do with what is left
         const uint32_t exposures = std::max<uint32_t>(1, uint32_t(times.size()));
@@ -49,12 +65,6 @@ public:
         statistics.peak_device_bytes = backend_.memory().peak();
         return statistics;
     }
-
-private:
-    static constexpr uint64_t most_pixels = 1ull << 31; ///< kernels count in 32 bits
-    template <class T> using Buffer = typename Backend::template Buffer<T>;
-    using WaitingPrecision = PathPrecision<Real, Features::all>;
-    using WaitingPath = PathState<Real, WaitingPrecision>;
 
     /// Takes a step to its end on the device.
     template <class Work> void step(FrameStep step, double& total, const Work& work) {
@@ -87,6 +97,7 @@ private:
         if (settings.rows.count > 0 && built_for_ == whole) {
             statistics = built_statistics_;
         } else {
+            built_for_.reset();
             build(whole, statistics);
             built_for_ = whole;
             built_statistics_ = statistics;
@@ -128,6 +139,16 @@ private:
             film.samples = film.grid_side * film.grid_side + 1;
         }
         return film;
+    }
+
+    /// What grows with the picture.
+    void free_film() {
+        built_for_.reset();
+        film_.free();
+        sum_.free();
+        pending_states_.free();
+        pending_interiors_.free();
+        antialiaser_.free();
     }
 
     /// A handful of primitives is tested faster than a grid is walked.

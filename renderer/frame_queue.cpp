@@ -6,15 +6,22 @@
 
 namespace proxima {
 
-FrameQueue::FrameQueue(size_t total, size_t workers) : workers_(workers), not_taken_(total) {}
+FrameQueue::FrameQueue(size_t total, size_t workers, std::vector<Rows> bands)
+    : bands_(std::move(bands)), workers_(workers), not_taken_(total * bands_.size()) {}
 
 bool FrameQueue::push(FrameTask task) {
+    task.assembly = std::make_shared<FrameAssembly>(bands_.size());
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_.size() < capacity || closed_; });
-    if (closed_)
-        return false;
-    waiting_.push_back(std::move(task));
-    changed_.notify_all();
+    for (const Rows& rows : bands_) {
+        changed_.wait(lock, [this] { return waiting_.size() < capacity || closed_; });
+        if (closed_)
+            return false;
+        task.rows = rows;
+        waiting_.push_back(task);
+        if (workers_.size() == 1)
+            task.scene.reset(); // nobody else needs it: see FrameSource
+        changed_.notify_all();
+    }
     return true;
 }
 

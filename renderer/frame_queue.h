@@ -4,6 +4,7 @@
 #pragma once
 #include "parser/scene_program.h"
 #include "parser/scene_script.h"
+#include "renderer/frame_assembly.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -16,22 +17,26 @@
 
 namespace proxima {
 
-/// A frame to render.
+/// A frame to render, or a band of one.
 struct FrameTask {
     size_t index = 0; ///< in the order in which frames were asked for
     int64_t frame = 0;
     SceneClock time;
     /// Frames whose scene is the same share one. Null: the scene of the frame before (see FrameSource).
     std::shared_ptr<const SceneProgram> scene;
+    Rows rows{};                               ///< the queue's: what of it is meant
+    std::shared_ptr<FrameAssembly> assembly{}; ///< the queue's: shared by all bands of the frame
 };
 
 /// Any member may be called by any thread.
 class FrameQueue {
 public:
-    /// `total` frames will come; `workers` devices (or parts of one) take them and are numbered from 0.
-    FrameQueue(size_t total, size_t workers);
+    /// `total` frames will come; `workers` devices (or parts of one) take them and are numbered from 0. Each frame is
+    /// handed out in `bands`.
+    FrameQueue(size_t total, size_t workers, std::vector<Rows> bands = {Rows{}});
 
-    /// Adds a frame; waits while `capacity` others wait. False when the queue was closed: no more are wanted.
+    /// Adds a frame, band by band; waits while `capacity` others wait. False when the queue was closed: no more are
+    /// wanted.
     bool push(FrameTask task);
     /// No more frames will come; with `error` because evaluating one failed. What is queued is still handed out.
     void end(std::exception_ptr error = {});
@@ -73,10 +78,11 @@ private:
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;
+    const std::vector<Rows> bands_;
     std::deque<FrameTask> waiting_, returned_;
     std::vector<Worker> workers_;
     std::exception_ptr error_;
-    size_t not_taken_; ///< frames, returned ones excepted
+    size_t not_taken_; ///< bands, returned ones excepted
     size_t in_flight_ = 0;
     bool ended_ = false, closed_ = false;
 };

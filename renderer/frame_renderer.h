@@ -76,6 +76,19 @@ struct FrameStatistics {
     double mean_distance = 0; ///< over the cloud's empty bricks, in bricks
     double motion_ms = 0, build_ms = 0, cloud_ms = 0, trace_ms = 0, readback_ms = 0;
     uint64_t peak_device_bytes = 0;
+
+    /// What another part of the same frame took; the grid's figures are its own.
+    void add(const FrameStatistics& part) {
+        const double times[5] = {motion_ms, build_ms, cloud_ms, trace_ms, readback_ms};
+        const uint64_t peak = peak_device_bytes;
+        *this = part;
+        motion_ms += times[0];
+        build_ms += times[1];
+        cloud_ms += times[2];
+        trace_ms += times[3];
+        readback_ms += times[4];
+        peak_device_bytes = peak > peak_device_bytes ? peak : peak_device_bytes;
+    }
 };
 
 /// A number of the scene has no finite value at the frame's time: the script has to be evaluated for this frame, and
@@ -89,7 +102,8 @@ struct FrameCancelled : std::runtime_error {
     FrameCancelled() : std::runtime_error("the frame was cancelled") {}
 };
 
-/// Renders frames on one device. Throws DeviceError; a renderer that threw may not be used again.
+/// Renders frames on one device. Throws DeviceError; a renderer that threw may not be used again, but when render()
+/// was out of memory: then it has given up what a picture's size asks for, and fewer rows may fit.
 class FrameRenderer {
 public:
     virtual ~FrameRenderer() = default;

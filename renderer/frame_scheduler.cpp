@@ -14,6 +14,23 @@ bool is_same(const std::weak_ptr<const SceneProgram>& held, const std::shared_pt
     return !held.owner_before(scene) && !scene.owner_before(held);
 }
 
+/// What ends the run although no device is to blame.
+struct WritingFailed {
+    std::exception_ptr error;
+};
+
+/// A renderer that tells `watch` what it does, for as long as this lives.
+class WatchedRenderer {
+public:
+    WatchedRenderer(FrameRenderer& renderer, StepWatch* watch) : renderer_(renderer) { renderer_.set_watch(watch); }
+    ~WatchedRenderer() { renderer_.set_watch(nullptr); }
+    WatchedRenderer(const WatchedRenderer&) = delete;
+    WatchedRenderer& operator=(const WatchedRenderer&) = delete;
+
+private:
+    FrameRenderer& renderer_;
+};
+
 } // namespace
 
 FrameScheduler::FrameScheduler(FrameQueue& queue, FrameWriter& writer, Config config)
@@ -31,14 +48,23 @@ void FrameScheduler::run(std::vector<RenderWorker> workers, const StopSignal& st
         threads_.emplace_back([this, i] { work(i, workers_[i]); });
     {
         std::unique_lock lock(mutex_);
-        while (!changed_.wait_for(lock, std::chrono::milliseconds(20), [this] { return running_ == 0; }))
-            if (stop.caught())
-                queue_.close();
+        std::optional<Stopwatch> since_stop;
+        while (!changed_.wait_for(lock, std::chrono::milliseconds(20), [this] { return running_ == 0; })) {
+            if (!stop.caught())
+                continue;
+            queue_.close();
+            if (!since_stop)
+                since_stop.emplace();
+            else if (since_stop->milliseconds() > double(config_.patience.count()))
+                cancel_frames();
+        }
     }
     join();
+    const bool unfinished = queue_.has_unfinished();
+    queue_.close(); // whoever still adds frames waits for nobody
     if (fatal_)
         std::rethrow_exception(fatal_);
-    if (queue_.has_unfinished() && device_error_ && !stop.caught())
+    if (unfinished && device_error_ && !stop.caught())
         std::rethrow_exception(device_error_);
     if (queue_.error())
         std::rethrow_exception(queue_.error());
@@ -50,16 +76,31 @@ void FrameScheduler::join() {
     threads_.clear();
 }
 
+/// With mutex_ held.
+void FrameScheduler::cancel_frames() {
+    for (RenderWorker& worker : workers_)
+        if (worker.renderer)
+            worker.renderer->cancel();
+}
+
 void FrameScheduler::work(size_t number, RenderWorker& worker) {
     std::optional<FrameTask> task;
     try {
         std::weak_ptr<const SceneProgram> held;
-        if (!worker.renderer)
-            worker.renderer = worker.make();
+        if (!worker.renderer) {
+            std::unique_ptr<FrameRenderer> renderer = worker.make();
+            const std::lock_guard lock(mutex_);
+            worker.renderer = std::move(renderer);
+        }
         while ((task = queue_.take(number))) {
             render(number, worker, *task, held);
             task.reset();
         }
+    } catch (const FrameCancelled&) {
+        queue_.close();
+    } catch (const WritingFailed& failure) {
+        const std::lock_guard lock(mutex_);
+        fatal_ = failure.error;
     } catch (const DeviceError& error) {
         report(worker, task, error);
     } catch (const std::bad_alloc&) {
@@ -72,6 +113,8 @@ void FrameScheduler::work(size_t number, RenderWorker& worker) {
         queue_.give_back(std::move(*task));
     queue_.leave(number);
     const std::lock_guard lock(mutex_);
+    worker.left = true;
+    worker.renderer.reset(); // another frame in flight may need its memory
     if (fatal_)
         queue_.close();
     --running_;
@@ -92,17 +135,64 @@ void FrameScheduler::report(const RenderWorker& worker, const std::optional<Fram
 
 void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task,
                             std::weak_ptr<const SceneProgram>& held) {
-    const Stopwatch watch;
+    FrameWatch watch(config_.watch, worker.device, task.frame);
+    const WatchedRenderer watched(*worker.renderer, &watch);
+    const Stopwatch stopwatch;
     if (task.scene && !is_same(held, task.scene)) {
         worker.renderer->set_scene(*task.scene, config_.settings.precision);
         held = task.scene;
     }
-    FinishedFrame finished{writer_.take_image(), config_.describe(task), task.index};
-    finished.record.device = worker.device;
-    finished.record.statistics = worker.renderer->render(config_.settings, finished.image);
-    const double milliseconds = watch.milliseconds(); // waiting for the writer says nothing about the device
-    writer_.push(std::move(finished));
+    Image& image = task.assembly->image(writer_, config_.settings);
+    FrameStatistics statistics;
+    for (bool retried = false;; retried = true) {
+        try {
+            statistics = render_rows(worker, task, image);
+            if (retried)
+                config_.note(
+                    fmt::format("{}: out of memory; goes on in tiles of {} rows", worker.device, worker.most_rows));
+            break;
+        } catch (const DeviceError& error) {
+            if (error.kind != DeviceError::Kind::out_of_memory || !render_smaller(worker, task))
+                throw;
+        }
+    }
+    const double milliseconds = stopwatch.milliseconds(); // waiting for the writer says nothing about the device
+    if (task.assembly->add(worker.device, statistics))
+        hand_over(task.assembly->release(config_.describe(task), task.index));
     queue_.finish(number, milliseconds);
+}
+
+void FrameScheduler::hand_over(FinishedFrame frame) {
+    try {
+        writer_.push(std::move(frame));
+    } catch (...) { // another device would not help
+        throw WritingFailed{std::current_exception()};
+    }
+}
+
+/// The task's rows, as many at a time as the device has had memory for.
+FrameStatistics FrameScheduler::render_rows(RenderWorker& worker, FrameTask& task, Image& image) {
+    const FrameSettings settings = config_.settings.with_rows(task.rows);
+    if (worker.most_rows == 0)
+        return worker.renderer->render(settings, image);
+    FrameStatistics statistics;
+    for (const Rows& rows : cut_into_bands(settings.band(), worker.most_rows))
+        statistics.add(worker.renderer->render(settings.with_rows(rows), image));
+    return statistics;
+}
+
+/// Whether the device, which was out of memory, shall try the task again with fewer rows at a time. Not if it has
+/// another frame in flight: then there is memory for one.
+bool FrameScheduler::render_smaller(RenderWorker& worker, const FrameTask& task) {
+    const std::lock_guard lock(mutex_);
+    for (const RenderWorker& other : workers_)
+        if (&other != &worker && other.device == worker.device && !other.left)
+            return worker.left = true, false;
+    const uint32_t rows = worker.most_rows ? worker.most_rows : config_.settings.with_rows(task.rows).band().count;
+    if (rows <= Rows::unit)
+        return false;
+    worker.most_rows = (rows / 4 + Rows::unit - 1) / Rows::unit * Rows::unit;
+    return true;
 }
 
 } // namespace proxima

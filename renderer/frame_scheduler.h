@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders the frames of a queue on many devices: a thread for each worker takes frames, renders them, and hands them to
-// the writer. A device that fails leaves its frame to the others.
+// the writer. A device that fails leaves its frame to the others; one that is out of memory tries smaller bands first.
 #pragma once
 #include "renderer/device_error.h"
 #include "renderer/frame_queue.h"
 #include "renderer/frame_renderer.h"
+#include "renderer/frame_watch.h"
 #include "renderer/frame_writer.h"
 #include "renderer/stop_signal.h"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,6 +24,8 @@ struct RenderWorker {
     std::string device;                                   ///< its name in records
     std::unique_ptr<FrameRenderer> renderer;              ///< null: made by the worker, when its work begins
     std::function<std::unique_ptr<FrameRenderer>()> make; ///< needed when there is no renderer
+    uint32_t most_rows = 0;                               ///< that its memory is enough for; 0: any number
+    bool left = false;                                    ///< it takes no more frames
 };
 
 class FrameScheduler {
@@ -30,6 +34,9 @@ public:
         FrameSettings settings;
         std::function<FrameRecord(const FrameTask&)> describe; ///< what is known of a frame before it is rendered
         std::function<void(const std::string&)> note;          ///< tells the user; any thread
+        RunWatch watch{};
+        /// That frames in flight are given to finish after a signal; then they are dropped.
+        std::chrono::milliseconds patience{1000};
     };
 
     FrameScheduler(FrameQueue& queue, FrameWriter& writer, Config config);
@@ -46,6 +53,10 @@ public:
 private:
     void work(size_t number, RenderWorker& worker);
     void render(size_t number, RenderWorker& worker, FrameTask& task, std::weak_ptr<const SceneProgram>& held);
+    void hand_over(FinishedFrame frame);
+    FrameStatistics render_rows(RenderWorker& worker, FrameTask& task, Image& image);
+    bool render_smaller(RenderWorker& worker, const FrameTask& task);
+    void cancel_frames();
     void report(const RenderWorker& worker, const std::optional<FrameTask>& task, const DeviceError& error);
     void join();
 

@@ -5,8 +5,10 @@
 #include "renderer/animation.h"
 #include "renderer/color.h"
 #include "renderer/device_choice.h"
+#include "renderer/fault_plan.h"
 #include "renderer/frame_rate.h"
 #include "renderer/frame_renderer.h"
+#include "renderer/multi_gpu.h"
 #include "renderer/output_name.h"
 #include "renderer/progress.h"
 
@@ -29,6 +31,14 @@ struct SceneOptions {
     EvaluationBudget budget;
 };
 
+/// How several devices share the work.
+struct MultiGpuOptions {
+    MultiGpu mode = MultiGpu::automatic;
+    uint32_t in_flight = 0;    ///< frames on each device at once; 0: what suits it
+    uint32_t tile_rows = 0;    ///< 0: by the number of devices
+    std::vector<Fault> faults; ///< for tests
+};
+
 struct RenderOptions {
     SceneOptions scene;
     std::optional<OutputName> output; ///< always set by parse_command_line
@@ -39,6 +49,7 @@ struct RenderOptions {
     bool dry_run = false;
     FrameSettings frame;
     DeviceChoice device;
+    MultiGpuOptions multi_gpu;
     unsigned threads = 0; ///< 0: one for each core that the process may use
     ColorSettings color;
     ProgressStyle progress = ProgressStyle::automatic;

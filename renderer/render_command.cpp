@@ -10,6 +10,7 @@
 #include "renderer/frame_scheduler.h"
 #include "renderer/frame_source.h"
 #include "renderer/frame_writer.h"
+#include "renderer/render_workers.h"
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
 
@@ -22,8 +23,6 @@
 
 namespace proxima {
 namespace {
-
-constexpr unsigned frames_on_gpu = 2;
 
 void print_frames(const RenderOptions& options) {
     for (const int64_t frame : options.scene.animation.frames)
@@ -42,18 +41,6 @@ void write_statistics(const RenderOptions& options, const RunRecord& run) {
         return;
     const std::string text = to_json(run);
     write_file(*options.stats_json, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-}
-
-/// Two frames in flight on a GPU, one on the CPU, whose cores are busy with one.
-std::vector<RenderWorker> make_workers(std::vector<StartedDevice> devices, const RenderOptions& options) {
-    const size_t frames = options.scene.animation.frames.size();
-    std::vector<RenderWorker> workers;
-    for (StartedDevice& started : devices)
-        workers.push_back({started.device.name, std::move(started.renderer), started.device.make});
-    for (const StartedDevice& started : devices)
-        for (unsigned i = 1; started.device.is_gpu && i < frames_on_gpu && workers.size() < frames; ++i)
-            workers.push_back({started.device.name, nullptr, started.device.make});
-    return workers;
 }
 
 /// Encoding is the work of one thread a frame.
@@ -102,12 +89,14 @@ void render_command(const RenderOptions& options) {
         progress.note(fmt::format("an animation of one frame has no step from clock to clock (POV-Ray's is NaN then); "
                                   "clock is {} and clock_delta 0",
                                   animation.initial_clock));
-    std::vector<RenderWorker> workers = make_workers(std::move(started.devices), options);
-    finisher.start(progress);
+    WorkPlan plan = plan_work(std::move(started.devices), options.multi_gpu, options.frame, animation.frames.size());
+    FaultPlan faults(options.multi_gpu.faults);
+    const RunWatch watch{.faults = &faults};
+    finisher.start(progress, watch);
     FrameWriter writer(std::ref(finisher), writer_threads(options),
                        [&](const FrameRecord& record) { finisher.announce(record); });
-    FrameQueue queue(animation.frames.size(), workers.size());
-    FrameSource source(scene, animation, queue, workers.size() > 1);
+    FrameQueue queue(animation.frames.size(), plan.workers.size(), plan.bands);
+    FrameSource source(scene, animation, queue, plan.workers.size() > 1);
     FrameScheduler scheduler(queue, writer,
                              {.settings = options.frame,
                               .describe =
@@ -116,10 +105,11 @@ void render_command(const RenderOptions& options) {
                                                          .file = options.output->path(task.frame).string(),
                                                          .precision = precision_name(options.frame.precision)};
                                   },
-                              .note = [&](const std::string& text) { progress.note(text); }});
+                              .note = [&](const std::string& text) { progress.note(text); },
+                              .watch = watch});
     std::exception_ptr device_error; // what is finished by then is written, and counts
     try {
-        scheduler.run(std::move(workers), stop);
+        scheduler.run(std::move(plan.workers), stop);
     } catch (const DeviceError&) {
         device_error = std::current_exception();
     }

@@ -28,6 +28,7 @@ CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
     render->add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
     add_antialias_option(*render, texts.antialias);
     add_device_options(*render, texts.device);
+    add_multi_gpu_options(*render, texts.multi_gpu);
     render->add_option("--tolerances", texts.tolerances, "exact, or povray to compare with POV-Ray [exact]")
         ->type_name("T");
     add_output_options(*render, texts.output);
@@ -52,6 +53,7 @@ RenderOptions read_render_options(const CLI::App& command, RenderTexts& texts) {
     options.color = read_color_options(texts.color, options.type, options.movie.has_value());
     options.frame = read_picture_settings(texts, options.scene);
     options.device = parse_device(texts.device.device);
+    options.multi_gpu = read_multi_gpu_options(texts.multi_gpu, options.device);
     options.threads = parse_count("--threads", texts.device.threads, 0, 4096);
     return options;
 }

@@ -3,6 +3,7 @@
 // output_options.h and color_options.h.
 #pragma once
 #include "renderer/color_options.h"
+#include "renderer/multi_gpu_options.h"
 #include "renderer/output_options.h"
 #include "renderer/shared_options.h"
 
@@ -13,6 +14,7 @@ struct RenderTexts {
     DeviceTexts device;
     OutputTexts output;
     ColorTexts color;
+    MultiGpuTexts multi_gpu;
     std::string samples = "1", antialias = "none", tolerances = "exact";
 };
 

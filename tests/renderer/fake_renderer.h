@@ -5,6 +5,7 @@
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -19,6 +20,7 @@ public:
         /// Called with the number of the frame, from 0, that this device renders; may throw.
         std::function<void(int)> before_frame = [](int) {};
         std::atomic<int>* scenes_set = nullptr;
+        uint32_t most_rows = 0; ///< that fit into its memory; 0: any number
     };
     explicit FakeRenderer(Behavior behavior) : behavior_(std::move(behavior)) {}
 
@@ -32,10 +34,14 @@ public:
     FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime>, Image& image) override {
         behavior_.before_frame(rendered_++);
         std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(behavior_.milliseconds));
-        image.width = settings.width;
-        image.height = settings.height;
-        image.rgb.assign(size_t(settings.width) * settings.height * 3, background_);
-        return {};
+        const Rows band = settings.band();
+        if (behavior_.most_rows > 0 && band.count > behavior_.most_rows)
+            throw DeviceError(DeviceError::Kind::out_of_memory, "out of memory");
+        image.fit(settings.width, settings.height);
+        std::fill(image.row(band.first), image.row(band.first) + size_t(band.count) * settings.width * 3, background_);
+        FrameStatistics statistics;
+        statistics.trace_ms = 1;
+        return statistics;
     }
 
 private:

@@ -2,6 +2,7 @@
 #include "renderer/frame_scheduler.h"
 #include "tests/renderer/fake_renderer.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <map>
@@ -22,6 +23,10 @@ struct Run {
     std::map<int64_t, float> pictures; ///< frame -> what its picture shows
     std::map<std::string, int> counts; ///< device -> frames
     std::vector<std::string> notes;
+    uint32_t height = 1;
+    std::vector<Rows> bands{Rows{}};
+    std::function<void(FinishedFrame&)> write = [](FinishedFrame&) {};
+    std::vector<std::string> names{}; ///< of the devices; "device 0" and so on without
 
     Run() {
         scene_of = [](int64_t frame) {
@@ -37,10 +42,14 @@ struct Run {
         FrameWriter writer(
             [&](FinishedFrame& frame) {
                 const std::lock_guard lock(mutex);
-                CHECK(pictures.emplace(frame.record.frame, frame.image.rgb.at(0)).second); // never twice
+                write(frame);
+                const std::vector<float>& rgb = frame.image.rgb;
+                const bool whole = std::all_of(rgb.begin(), rgb.end(), [&](float v) { return v == rgb.at(0); });
+                CHECK(whole);
+                CHECK(pictures.emplace(frame.record.frame, rgb.at(0)).second); // never twice
             },
             2);
-        FrameQueue queue(frames, devices.size());
+        FrameQueue queue(frames, devices.size(), bands);
         std::thread source([&] {
             for (size_t i = 0; i < frames; ++i)
                 if (!queue.push({i, int64_t(i), {}, scene_of(int64_t(i))}))
@@ -57,10 +66,12 @@ struct Run {
         } const join{queue, source};
         std::vector<RenderWorker> workers;
         for (size_t i = 0; i < devices.size(); ++i)
-            workers.push_back({fmt::format("device {}", i), std::make_unique<FakeRenderer>(devices[i]), {}});
+            workers.push_back({names.empty() ? fmt::format("device {}", i) : names[i],
+                               std::make_unique<FakeRenderer>(devices[i]),
+                               {}});
         FrameSettings small;
         small.width = 2;
-        small.height = 1;
+        small.height = height;
         FrameScheduler scheduler(queue, writer,
                                  {.settings = small,
                                   .describe =
@@ -78,7 +89,10 @@ struct Run {
             Run& run;
             FrameWriter& writer;
             ~Finish() {
-                run.records = writer.finish();
+                try {
+                    run.records = writer.finish();
+                } catch (const DeviceError&) { // the run has thrown it, too
+                }
                 for (const FrameRecord& record : run.records)
                     ++run.counts[record.device];
             }
@@ -191,4 +205,79 @@ TEST_CASE("scheduler: a scene that cannot be rendered ends the run at once") {
     Run run;
     CHECK_THROWS_AS(run({{.before_frame = [](int) { throw DeviceError(DeviceError::Kind::scene, "too deep"); }}, {}}),
                     DeviceError);
+}
+
+TEST_CASE("scheduler: bands make whole frames, whoever renders them") {
+    for (const size_t devices : {1, 2, 3}) {
+        Run run;
+        run.height = 200;
+        run.bands = cut_into_bands(200, devices);
+        run(std::vector<Behavior>(devices, Behavior{.milliseconds = 0.5}));
+        CHECK(run.is_complete());
+        for (const FrameRecord& record : run.records)
+            CHECK(record.statistics.trace_ms == double(run.bands.size()));
+    }
+}
+
+TEST_CASE("scheduler: a band of a device that is lost is rendered by the others, and what it finished counts") {
+    for (const int at : {0, 1, 5}) {
+        Run run;
+        run.height = 200;
+        run.bands = cut_into_bands(200, 2);
+        const Behavior dying{.milliseconds = 1, .before_frame = [at](int frame) {
+                                 if (frame == at)
+                                     lose();
+                             }};
+        run({dying, {.milliseconds = 1}});
+        CHECK(run.is_complete());
+        REQUIRE(run.notes.size() == 1);
+        CHECK(run.notes[0].find("device 0: unplugged") != std::string::npos);
+    }
+}
+
+TEST_CASE("scheduler: a device out of memory goes on with as many rows as fit, and says so once") {
+    for (const bool banded : {false, true}) {
+        Run run;
+        run.height = 1000;
+        if (banded)
+            run.bands = cut_into_bands(Rows{0, 1000}, 512);
+        run({{.most_rows = 100}});
+        CHECK(run.is_complete());
+        REQUIRE(run.notes.size() == 1);
+        CHECK(run.notes[0] == fmt::format("device 0: out of memory; goes on in tiles of {} rows", banded ? 32 : 64));
+    }
+}
+
+TEST_CASE("scheduler: a picture that does not fit in the smallest tiles either goes to another device") {
+    Run run;
+    run.height = 300;
+    run({{.most_rows = 31}, {.milliseconds = 1}});
+    CHECK(run.is_complete());
+    CHECK(run.counts["device 0"] == 0);
+    Run none;
+    none.height = 300;
+    CHECK_THROWS_WITH_AS(none({{.most_rows = 31}}), "out of memory", DeviceError);
+}
+
+TEST_CASE("scheduler: with memory for one frame, a device has one in flight") {
+    Run run;
+    run.height = 300;
+    run.names = {"gpu", "gpu"};
+    run({{.milliseconds = 1, .most_rows = 100}, {.milliseconds = 1}});
+    CHECK(run.is_complete());
+    REQUIRE(run.notes.size() == 1);
+    CHECK(run.notes[0].find("gpu: out of memory; frame ") != std::string::npos);
+    Run both;
+    both.height = 300;
+    both.names = {"gpu", "gpu"};
+    both({{.most_rows = 100}, {.most_rows = 100}}); // the last one tries tiles
+    CHECK(both.is_complete());
+    CHECK(both.notes.size() == 2);
+}
+
+TEST_CASE("scheduler: what cannot be written ends the run, and no device is blamed") {
+    Run run;
+    run.write = [](FinishedFrame&) { throw DeviceError(DeviceError::Kind::lost, "while encoding"); };
+    CHECK_THROWS_WITH_AS(run({{}, {}}), "while encoding", DeviceError);
+    CHECK(run.notes.empty());
 }
