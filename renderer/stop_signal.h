@@ -6,7 +6,8 @@
 namespace proxima {
 
 /// While it lives, the first SIGINT or SIGTERM is only remembered, as are those that come with it (`timeout` and farms
-/// send several). One that comes a second later or more ends the process as usual. A file that grows past the process's
+/// send several). The loop then has less than two seconds to come to an end, or else the process ends with exit code
+/// 128 + n; a signal that comes a second later or more ends it at once, as usual. A file that grows past the process's
 /// limit is an error for the one who writes it, not a signal.
 class StopSignal {
 public:
@@ -19,7 +20,7 @@ public:
     int caught() const;
 
 private:
-    struct sigaction old_interrupt_, old_terminate_, old_file_size_;
+    struct sigaction old_interrupt_, old_terminate_, old_file_size_, old_alarm_;
 };
 
 } // namespace proxima
