@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/color.h"
-#include "embedded_config.h"
 #include "parser/source_files.h"
+#include "renderer/color_config.h"
 #include "renderer/errors.h"
 
-#include <OpenColorIO/OpenColorIO.h>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sstream>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-
-namespace OCIO = OCIO_NAMESPACE;
 
 namespace proxima {
 namespace {
@@ -26,86 +21,94 @@ constexpr float largest_half = 65504.0f;
 constexpr auto optimization =
     OCIO::OptimizationFlags(OCIO::OPTIMIZATION_VERY_GOOD & ~uint64_t(OCIO::OPTIMIZATION_FAST_LOG_EXP_POW));
 
-OCIO::ConstConfigRcPtr load_config(const std::optional<std::filesystem::path>& path) {
-    if (!path) {
-        std::istringstream text(embedded_ocio_config);
-        return OCIO::Config::CreateFromStream(text);
-    }
-    try {
-        return OCIO::Config::CreateFromFile(path->c_str());
-    } catch (const OCIO::Exception& error) {
-        throw FileError(fmt::format("{}: not a usable colour configuration: {}", path->string(), error.what()));
-    }
-}
-
-std::optional<std::filesystem::path> choose_config(const std::optional<std::filesystem::path>& asked) {
-    if (asked)
-        return asked;
-    if (const char* variable = std::getenv("OCIO"); variable && *variable)
-        return variable;
-    return std::nullopt;
-}
-
-/// `asked`, or the default when it is empty. Throws UsageError unless it is one of `choices`.
-std::string choose(const char* option, const std::string& asked, const char* default_name,
-                   const std::vector<std::string>& choices) {
-    const std::string name = asked.empty() ? default_name : asked;
+/// Throws UsageError unless `name` is one of `choices`.
+std::string choose(const char* option, const std::string& name, const std::vector<std::string>& choices) {
     if (std::find(choices.begin(), choices.end(), name) != choices.end())
         return name;
+    if (choices.empty())
+        throw UsageError(fmt::format("{} '{}': the colour configuration has none; leave it out", option, name));
     throw UsageError(fmt::format("{} '{}': the colour configuration does not have it; choose one of '{}'", option, name,
                                  fmt::join(choices, "', '")));
 }
 
-/// The names that configurations give linear light with Rec.709's primaries.
-constexpr const char* rec709_names[] = {"lin_rec709",
-                                        "lin_rec709_scene",
-                                        "Linear Rec.709 (sRGB)",
-                                        "Linear Rec.709",
-                                        "Utility - Linear - sRGB",
-                                        "Utility - Linear - Rec.709",
-                                        "lin_srgb",
-                                        "Linear sRGB"};
-
-/// The steps from linear Rec.709 to the view. A configuration without that space is entered through ACES2065-1.
-OCIO::GroupTransformRcPtr view_steps(const OCIO::Config& config, const std::string& display, const std::string& view) {
-    auto steps = OCIO::GroupTransform::Create();
-    auto to_view = OCIO::DisplayViewTransform::Create();
-    to_view->setDisplay(display.c_str());
-    to_view->setView(view.c_str());
-    for (const char* name : rec709_names)
-        if (config.getColorSpace(name)) {
-            to_view->setSrc(name);
-            steps->appendTransform(to_view);
-            return steps;
-        }
-    if (!config.hasRole("aces_interchange"))
-        throw UsageError("the colour configuration has neither a linear Rec.709 space nor the role aces_interchange; "
-                         "choose another with --ocio");
-    auto to_ap1 = OCIO::BuiltinTransform::Create();
-    to_ap1->setStyle("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD");
-    to_ap1->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
-    auto to_aces = OCIO::BuiltinTransform::Create();
-    to_aces->setStyle("ACEScg_to_ACES2065-1");
-    to_view->setSrc("aces_interchange");
-    steps->appendTransform(to_ap1);
-    steps->appendTransform(to_aces);
-    steps->appendTransform(to_view);
-    return steps;
+OCIO::BuiltinTransformRcPtr builtin(const char* style, OCIO::TransformDirection direction) {
+    auto transform = OCIO::BuiltinTransform::Create();
+    transform->setStyle(style);
+    transform->setDirection(direction);
+    return transform;
 }
 
-/// Names the result's curve for the file's header.
-std::string encoding_of(const OCIO::Config& config, const std::string& display, const std::string& view) {
-    std::string name = config.getDisplayViewColorSpaceName(display.c_str(), view.c_str());
+/// Appends the steps from the working space to one that the configuration knows, and returns that one's name. A
+/// configuration without the working space is entered through ACES2065-1.
+std::string enter(const ColorConfig& config, WorkingSpace working_space, OCIO::GroupTransform& steps) {
+    if (const std::string name = config.find(working_space); !name.empty())
+        return name;
+    if (!config.config->hasRole("aces_interchange"))
+        throw UsageError(fmt::format("the colour configuration has neither {} nor the role aces_interchange; choose "
+                                     "another with --ocio",
+                                     working_space == WorkingSpace::acescg ? "ACEScg" : "a linear Rec.709 space"));
+    if (working_space == WorkingSpace::rec709)
+        steps.appendTransform(builtin("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD", OCIO::TRANSFORM_DIR_INVERSE));
+    steps.appendTransform(builtin("ACEScg_to_ACES2065-1", OCIO::TRANSFORM_DIR_FORWARD));
+    return "aces_interchange";
+}
+
+/// A way through the configuration, and where it ends.
+struct ColorPath {
+    OCIO::GroupTransformRcPtr steps = OCIO::GroupTransform::Create();
+    std::string description; ///< for messages
+    FileColors colors;
+};
+
+void append_look(const ColorConfig& config, const std::string& look, const std::string& source, ColorPath& path) {
+    if (look.empty())
+        return;
+    auto transform = OCIO::LookTransform::Create();
+    transform->setSrc(source.c_str());
+    transform->setDst(source.c_str());
+    transform->setLooks(choose("--look", look, config.looks()).c_str());
+    path.steps->appendTransform(transform);
+    path.description = fmt::format("look '{}', ", look);
+}
+
+void append_view(const ColorConfig& config, const ColorSettings& settings, const std::string& source, ColorPath& path) {
+    const auto asked = [](const std::string& name, const char* otherwise) { return name.empty() ? otherwise : name; };
+    const std::string display =
+        choose("--display", asked(settings.display, config.config->getDefaultDisplay()), config.displays());
+    const std::string view =
+        choose("--view", asked(settings.view, config.config->getDefaultView(display.c_str())), config.views(display));
+    auto transform = OCIO::DisplayViewTransform::Create();
+    transform->setSrc(source.c_str());
+    transform->setDisplay(display.c_str());
+    transform->setView(view.c_str());
+    path.steps->appendTransform(transform);
+    path.description += fmt::format("display '{}', view '{}'", display, view);
+    std::string name = config.config->getDisplayViewColorSpaceName(display.c_str(), view.c_str());
     if (name.empty() || name == OCIO::OCIO_VIEW_USE_DISPLAY_NAME)
         name = display;
-    const OCIO::ConstColorSpaceRcPtr space = config.getColorSpace(name.c_str());
-    if (space && (space->isData() || std::string_view(space->getEncoding()) == "scene-linear"))
-        return "Linear";
-    if (name.find("sRGB") != std::string::npos)
-        return "sRGB";
-    if (name.find("1886") != std::string::npos)
-        return "Gamma2.4";
-    return {};
+    path.colors = {.encoding = config.file_colors(name).encoding};
+}
+
+void append_space(const ColorConfig& config, const std::string& name, const std::string& source, ColorPath& path) {
+    if (!config.config->getColorSpace(name.c_str())) // aliases and roles are known, too
+        choose("--colorspace", name, config.spaces());
+    auto transform = OCIO::ColorSpaceTransform::Create();
+    transform->setSrc(source.c_str());
+    transform->setDst(name.c_str());
+    path.steps->appendTransform(transform);
+    path.description += fmt::format("colour space '{}'", name);
+    path.colors = config.file_colors(name);
+}
+
+ColorPath color_path(const ColorConfig& config, const ColorSettings& settings) {
+    ColorPath path;
+    const std::string source = enter(config, settings.working_space, *path.steps);
+    append_look(config, settings.look, source, path);
+    if (settings.target == ColorTarget::space)
+        append_space(config, settings.space, source, path);
+    else
+        append_view(config, settings, source, path);
+    return path;
 }
 
 /// Applies `change` to every sample, in parallel, and counts those for which it is true.
@@ -123,41 +126,44 @@ template <class Change> uint64_t count_changed(Image& image, const Change& chang
 } // namespace
 
 struct ColorTransform::Implementation {
-    OCIO::ConstCPUProcessorRcPtr processor;
-    std::string encoding;
+    OCIO::ConstCPUProcessorRcPtr processor; ///< null: nothing to do
+    FileColors file;
+    std::string identity;
 };
 
 ColorTransform::ColorTransform(const ColorSettings& settings) : implementation_(std::make_unique<Implementation>()) {
-    const auto path = choose_config(settings.config);
-    const OCIO::ConstConfigRcPtr config = load_config(path);
-
-    std::vector<std::string> displays, views;
-    for (int i = 0; i < config->getNumDisplays(); ++i)
-        displays.emplace_back(config->getDisplay(i));
-    const std::string display = choose("--display", settings.display, config->getDefaultDisplay(), displays);
-    for (int i = 0; i < config->getNumViews(display.c_str()); ++i)
-        views.emplace_back(config->getView(display.c_str(), i));
-    const std::string view = choose("--view", settings.view, config->getDefaultView(display.c_str()), views);
-
+    if (settings.target == ColorTarget::scene_linear) {
+        implementation_->file = file_colors(settings.working_space);
+        implementation_->identity = implementation_->file.interop_id;
+        return;
+    }
+    const ColorConfig config = load_color_config(settings);
+    const ColorPath path = color_path(config, settings);
     try {
         implementation_->processor =
-            config->getProcessor(view_steps(*config, display, view))
+            config.config->getProcessor(path.steps)
                 ->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, optimization);
     } catch (const OCIO::Exception& error) {
-        throw FileError(fmt::format("{}: display '{}', view '{}': {}", path ? path->string() : "embedded configuration",
-                                    display, view, error.what()));
+        throw FileError(fmt::format("{}: {}: {}", config.name, path.description, error.what()));
     }
-    implementation_->encoding = encoding_of(*config, display, view);
+    implementation_->file = path.colors;
+    implementation_->identity = fmt::format("{} {}", implementation_->processor->getCacheID(), path.colors.encoding);
 }
 
 ColorTransform::~ColorTransform() = default;
 ColorTransform::ColorTransform(ColorTransform&&) noexcept = default;
 
-const std::string& ColorTransform::encoding() const {
-    return implementation_->encoding;
+const FileColors& ColorTransform::file() const {
+    return implementation_->file;
+}
+
+const std::string& ColorTransform::identity() const {
+    return implementation_->identity;
 }
 
 void ColorTransform::apply(Image& image) const {
+    if (!implementation_->processor)
+        return;
     tbb::parallel_for(tbb::blocked_range<uint32_t>(0, image.height, 8), [&](const tbb::blocked_range<uint32_t>& rows) {
         OCIO::PackedImageDesc slice(image.rgb.data() + size_t(rows.begin()) * image.width * 3, long(image.width),
                                     long(rows.size()), 3);

@@ -8,7 +8,8 @@
 namespace proxima {
 
 struct ColorTexts {
-    std::string ocio, display, view;
+    std::string ocio, display, view, look, space, working_space = "rec709";
+    bool list = false, dither = false;
 };
 
 void add_color_options(CLI::App& command, ColorTexts& texts);

@@ -13,6 +13,10 @@ void render_command(const RenderOptions& options);
 /// Throws SceneRejected, FileError, Interrupted.
 void check_command(const CheckOptions& options);
 
+/// Looks whether every frame that render_command would write is there, whole and the same. Prints those that are not.
+/// Throws FramesIncomplete, and what reading a scene throws.
+void verify_command(const VerifyOptions& options);
+
 /// Compares two pictures, two sets of pictures, or POV-Ray's pictures of a scene with ours, and prints the figures.
 /// Throws PicturesDiffer unless all are equal within the tolerance, FileError when one cannot be read, UsageError, and
 /// when it renders what render_command throws.

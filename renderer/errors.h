@@ -25,6 +25,11 @@ struct PicturesDiffer : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Frames are missing, damaged, or of something else. Exit code 4.
+struct FramesIncomplete : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A signal asked the run to stop, and the frame in flight has been finished. Exit code 128 + signal.
 struct Interrupted : std::runtime_error {
     int signal;

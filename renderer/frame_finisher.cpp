@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/frame_finisher.h"
 #include "renderer/atomic_file.h"
+#include "renderer/camera_matrices.h"
 
 #include <fmt/format.h>
 
 namespace proxima {
 
-FrameFinisher::FrameFinisher(const RenderOptions& options) : options_(options) {
-    if (!is_scene_linear(options.type) || options.movie)
-        view_.emplace(options.color);
-    if (options.movie)
-        movie_.emplace(*options.movie, options.rate);
+FrameFinisher::FrameFinisher(const RenderOptions& options)
+    : options_(options), color_(options.color), hash_(options, color_.identity()) {
+    if (!options.movie)
+        return;
+    ColorSettings shown = options.color;
+    shown.target = ColorTarget::view;
+    view_.emplace(shown);
+    movie_.emplace(*options.movie, options.rate);
 }
 
 void FrameFinisher::start(Progress& progress, RunWatch watch) {
@@ -21,12 +25,13 @@ void FrameFinisher::start(Progress& progress, RunWatch watch) {
 
 void FrameFinisher::operator()(FinishedFrame& frame) {
     FrameRecord& record = frame.record;
+    record.hash = hash_.of(record.frame, record.scene, backend_of(record.device));
     FrameWatch watch(watch_, "writer", record.frame);
     take_step(&watch, FrameStep::color, record.color_ms, [&] { prepare(frame); });
     report(record);
     if (holds_animation(options_.output->format())) {
         take_step(&watch, FrameStep::encode, record.encode_ms,
-                  [&] { sequence(frame).add(frame.index, quantize_to_bytes(frame.image)); });
+                  [&] { sequence(frame).add(frame.index, quantize_to_bytes(frame.image, options_.dither)); });
         return;
     }
     std::vector<unsigned char> bytes;
@@ -37,8 +42,7 @@ void FrameFinisher::operator()(FinishedFrame& frame) {
 
 void FrameFinisher::prepare(FinishedFrame& frame) {
     frame.record.replaced_samples = replace_non_finite(frame.image);
-    if (!is_scene_linear(options_.type))
-        view_->apply(frame.image);
+    color_.apply(frame.image);
     if (options_.type == SampleType::half)
         frame.record.clamped_samples = clamp_to_half(frame.image);
 }
@@ -55,20 +59,22 @@ void FrameFinisher::report(const FrameRecord& record) {
 }
 
 ImageFileSettings FrameFinisher::file_settings(const FrameRecord& record) const {
-    ImageFileSettings settings{
-        .format = options_.output->format(), .type = options_.type, .compression = options_.compression};
+    ImageFileSettings settings{.format = options_.output->format(),
+                               .type = options_.type,
+                               .compression = options_.compression,
+                               .dither = options_.dither};
     ImageFacts& facts = settings.facts;
     facts.scene = options_.scene.scene.filename().string();
+    facts.hash = record.hash;
     facts.frame = record.frame;
     if (!options_.scene.animation.is_still)
         facts.rate = options_.rate;
-    if (is_scene_linear(options_.type)) {
-        facts.color_encoding = "Linear";
-        facts.chromaticities = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
-        facts.color_interop_id = "lin_rec709_scene";
-    } else {
-        facts.color_encoding = view_->encoding();
-    }
+    facts.color_encoding = color_.file().encoding;
+    facts.chromaticities = color_.file().chromaticities;
+    facts.color_interop_id = color_.file().interop_id;
+    const CameraMatrices camera = camera_matrices(record.scene.camera);
+    facts.world_to_camera = camera.world_to_camera;
+    facts.world_to_ndc = camera.world_to_ndc;
     return settings;
 }
 

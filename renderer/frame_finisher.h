@@ -3,6 +3,7 @@
 // that any thread may call; and what follows when all frames are there.
 #pragma once
 #include "renderer/color.h"
+#include "renderer/frame_hash.h"
 #include "renderer/frame_watch.h"
 #include "renderer/frame_writer.h"
 #include "renderer/image_file.h"
@@ -21,6 +22,8 @@ public:
     /// Throws UsageError and FileError when the colours or the film that `options` ask for are not to be had. `options`
     /// must outlive this.
     explicit FrameFinisher(const RenderOptions& options);
+
+    const FrameHash& hash() const { return hash_; }
 
     /// Begins to load what encodes, beside what the caller does next, and says where messages go and who watches the
     /// steps. Before the first frame.
@@ -41,8 +44,10 @@ private:
     SequenceFile& sequence(const FinishedFrame& frame);
 
     const RenderOptions& options_;
-    std::optional<ColorTransform> view_; ///< of the files, or of the film; empty where light stays linear
+    ColorTransform color_;
+    std::optional<ColorTransform> view_; ///< of the film
     std::optional<Movie> movie_;
+    FrameHash hash_;
     std::optional<ImageEncoder> encoder_;
     std::mutex mutex_;
     std::unique_ptr<SequenceFile> sequence_; ///< made for the first frame

@@ -5,6 +5,7 @@
 #include "parser/scene_program.h"
 #include "parser/scene_script.h"
 #include "renderer/frame_assembly.h"
+#include "renderer/scene_facts.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct FrameTask {
     SceneClock time;
     /// Frames whose scene is the same share one. Null: the scene of the frame before (see FrameSource).
     std::shared_ptr<const SceneProgram> scene;
+    SceneFacts facts{};
     Rows rows{};                               ///< the queue's: what of it is meant
     std::shared_ptr<FrameAssembly> assembly{}; ///< the queue's: shared by all bands of the frame
 };

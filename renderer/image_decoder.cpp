@@ -66,6 +66,19 @@ std::vector<int> color_channels(const OIIO::ImageSpec& spec) {
     return indices;
 }
 
+/// The frame hash that `proxima render` writes, as an attribute or in a sentence.
+std::string frame_hash(const OIIO::ImageSpec& spec) {
+    constexpr size_t digits = 32;
+    std::string hash = spec.get_string_attribute("proxima:hash");
+    if (hash.empty()) {
+        const std::string sentence = spec.get_string_attribute("ImageDescription");
+        if (const size_t at = sentence.rfind("hash "); at != std::string::npos)
+            hash = sentence.substr(at + 5);
+    }
+    const bool is_hash = hash.size() == digits && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+    return is_hash ? hash : std::string();
+}
+
 /// All samples as floats: levels of 8 and 16 bits exactly, the numbers of half and float as they are.
 std::vector<float> read_samples(OIIO::ImageInput& input, SampleType type) {
     const OIIO::ImageSpec spec = input.spec();
@@ -92,6 +105,7 @@ StoredImage decode(const std::string& path) {
                       .channels = uint32_t(chosen.size()),
                       .type = sample_type(spec),
                       .encoding = spec.get_string_attribute("oiio:ColorSpace")};
+    image.hash = frame_hash(spec);
     if (image.encoding == "GammaCorrected")
         image.encoding = "Gamma" + std::to_string(spec.get_float_attribute("oiio:Gamma", 2.2f));
     for (int i = 0; i < spec.nchannels; ++i)

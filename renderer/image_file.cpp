@@ -16,11 +16,19 @@
 namespace proxima {
 namespace {
 
-template <class Integer> std::vector<Integer> quantize_all(const Image& image) {
+/// A number from 0 to 1 for a sample: the mixing steps of MurmurHash3 (Appleby).
+double chance(uint64_t sample) {
+    uint64_t mixed = sample + 0x9e3779b97f4a7c15u;
+    mixed = (mixed ^ (mixed >> 33)) * 0xff51afd7ed558ccdu;
+    mixed = (mixed ^ (mixed >> 33)) * 0xc4ceb9fe1a85ec53u;
+    return double((mixed ^ (mixed >> 33)) >> 11) * 0x1p-53;
+}
+
+template <class Integer> std::vector<Integer> quantize_all(const Image& image, bool dither) {
     std::vector<Integer> samples(image.rgb.size());
     tbb::parallel_for(tbb::blocked_range<size_t>(0, samples.size(), 1 << 16), [&](const auto& range) {
         for (size_t i = range.begin(); i != range.end(); ++i)
-            samples[i] = quantize<Integer>(image.rgb[i], std::numeric_limits<Integer>::max());
+            samples[i] = quantize<Integer>(image.rgb[i], std::numeric_limits<Integer>::max(), dither ? chance(i) : 0.5);
     });
     return samples;
 }
@@ -42,8 +50,8 @@ std::string first_line(std::string_view text) {
 
 } // namespace
 
-std::vector<uint8_t> quantize_to_bytes(const Image& image) {
-    return quantize_all<uint8_t>(image);
+std::vector<uint8_t> quantize_to_bytes(const Image& image, bool dither) {
+    return quantize_all<uint8_t>(image, dither);
 }
 
 ImageEncoder::ImageEncoder()
@@ -57,12 +65,12 @@ std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageF
     EncodeImage* const encode = functions_.get().encode;
     switch (settings.type) {
     case SampleType::uint8: {
-        const auto samples = quantize_to_bytes(image);
+        const auto samples = quantize_to_bytes(image, settings.dither);
         request.samples = samples.data();
         return encode(request);
     }
     case SampleType::uint16: {
-        const auto samples = quantize_all<uint16_t>(image);
+        const auto samples = quantize_all<uint16_t>(image, settings.dither);
         request.samples = samples.data();
         return encode(request);
     }

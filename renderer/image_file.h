@@ -13,21 +13,24 @@
 
 namespace proxima {
 
-/// The level of a display value in [0, max]: floor(clip(value, 0, 1) * max + 0.5), which is POV-Ray's rounding.
-template <class Integer> Integer quantize(float value, Integer max) {
+/// The level of a display value in [0, max]: floor(clip(value, 0, 1) * max + 0.5), which is POV-Ray's rounding. Another
+/// `offset` below 1 rounds elsewhere.
+template <class Integer> Integer quantize(float value, Integer max, double offset = 0.5) {
     const float clipped = value < 0.0f ? 0.0f : value > 1.0f ? 1.0f : value;
-    return Integer(double(clipped) * double(max) + 0.5);
+    return Integer(double(clipped) * double(max) + offset);
 }
 
 struct ImageFileSettings {
     ImageFormat format = ImageFormat::png;
     SampleType type = SampleType::uint8;
     Compression compression = Compression::zip;
-    ImageFacts facts{}; ///< `software` is this program
+    bool dither = false; ///< see quantize_to_bytes
+    ImageFacts facts{};  ///< `software` is this program
 };
 
-/// The levels of all samples at 8 bits.
-std::vector<uint8_t> quantize_to_bytes(const Image& image);
+/// The levels of all samples at 8 bits. With `dither` each is rounded up or down by chance, so that areas keep their
+/// mean; the chance depends on the sample's place alone.
+std::vector<uint8_t> quantize_to_bytes(const Image& image, bool dither = false);
 
 /// The encoder module, loaded on a thread of its own from the program's folder (or the library path).
 class ImageEncoder {

@@ -105,7 +105,10 @@ OIIO::ImageSpec describe(const EncodeRequest& request) {
     OIIO::ImageSpec spec(int(request.width), int(request.height), 3, file_type(request.type));
     spec.attribute("Software", facts.software);
     spec.attribute("DateTime", ""); // unset, EXR and TIFF get the present time
-    if (!facts.color_encoding.empty())
+    // OpenImageIO 2.4 writes TIFF's sRGB into a second directory, and in memory over the first one: no one can read the
+    // file then.
+    const bool is_known = !facts.color_encoding.empty();
+    if (is_known && !(request.format == ImageFormat::tiff && facts.color_encoding == "sRGB"))
         spec.attribute("oiio:ColorSpace", facts.color_encoding);
     if (request.format != ImageFormat::exr && !facts.hash.empty())
         spec.attribute("ImageDescription", sentence(facts));

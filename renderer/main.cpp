@@ -51,6 +51,10 @@ int exit_code(const DeviceError& error) {
 
 struct Run {
     void operator()(const RenderOptions& options) const { render_command(options); }
+    void operator()(const VerifyOptions& options) const { verify_command(options); }
+    void operator()(const ColorChoicesOptions& options) const {
+        std::fputs(list_color_choices(options.color).c_str(), stdout);
+    }
     void operator()(const CheckOptions& options) const { check_command(options); }
     void operator()(const CompareOptions& options) const { compare_command(options); }
     void operator()(const DevicesOptions& options) const { devices_command(options); }
@@ -74,6 +78,9 @@ int main(int argc, char** argv) {
         return fail(error.what(), exit_file);
     } catch (const PicturesDiffer& error) {
         std::fflush(stdout); // the figures come before the verdict
+        return fail(error.what(), exit_difference);
+    } catch (const FramesIncomplete& error) {
+        std::fflush(stdout);
         return fail(error.what(), exit_difference);
     } catch (const DeviceError& error) {
         return fail(error.what(), exit_code(error));

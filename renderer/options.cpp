@@ -15,7 +15,7 @@ namespace {
 
 /// CLI11 would only say that a command is missing.
 void check_command_name(int argc, const char* const* argv) {
-    static constexpr std::string_view names[] = {"render", "compare", "check", "devices"};
+    static constexpr std::string_view names[] = {"render", "verify", "compare", "check", "devices"};
     const std::string_view name = argc > 1 ? argv[1] : "";
     if (name.starts_with('-') || std::find(std::begin(names), std::end(names), name) != std::end(names))
         return;
@@ -34,17 +34,21 @@ Command parse_command_line(int argc, const char* const* argv) {
     app.require_subcommand(0, 1);
     app.footer("`proxima COMMAND --help` tells more.\n"
                "Exit codes: 0 done; 1 the scene is wrong; 2 the command line is wrong; 3 a file could not be read or\n"
-               "written; 4 compare found a difference; 33 out of memory; 75 a device was lost, try again elsewhere;\n"
+               "written; 4 compare or verify found a difference; 33 out of memory; 75 a device was lost, try again "
+               "elsewhere;\n"
                "128+n after signal n.\n");
 
     RenderTexts render_texts;
     SceneTexts check_texts;
     DevicesOptions devices_options;
     const CLI::App* render = add_render(app, render_texts);
+    RenderTexts verify_texts;
+    const CLI::App* verify = add_verify(app, verify_texts);
     CompareTexts compare_texts;
     const CLI::App* compare = add_compare(app, compare_texts);
     CLI::App* check = app.add_subcommand("check", "Read a scene, report every mistake, count what is in it");
     add_scene(*check, check_texts);
+    check->get_option("SCENE")->required();
     add_scene_options(*check, check_texts);
     CLI::App* devices = app.add_subcommand("devices", "List what can render");
     devices->add_flag("--json", devices_options.json, "As JSON");
@@ -59,8 +63,12 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(fmt::format("{}; `proxima --help` shows what can be written", error.what()));
     }
+    if (render->parsed() && render_texts.color.list)
+        return ColorChoicesOptions{read_color_options(render_texts.color, SampleType::uint8, true)};
     if (render->parsed())
         return read_render_options(*render, render_texts);
+    if (verify->parsed())
+        return read_verify_options(*verify, verify_texts);
     if (compare->parsed()) {
         if (compare_texts.povray) {
             const IniOptions ini = apply_ini(*compare, compare_texts.scene);

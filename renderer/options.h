@@ -46,7 +46,9 @@ struct RenderOptions {
     Compression compression = Compression::zip;
     FrameRate rate;
     std::optional<std::filesystem::path> movie;
+    bool dither = false;
     bool dry_run = false;
+    bool skip_existing = false;
     FrameSettings frame;
     DeviceChoice device;
     MultiGpuOptions multi_gpu;
@@ -72,6 +74,16 @@ struct CompareOptions {
     std::optional<std::filesystem::path> heatmap, report, json;
 };
 
+/// Frames that `render` would have made.
+struct VerifyOptions {
+    RenderOptions render;
+};
+
+/// What a colour configuration has to choose from.
+struct ColorChoicesOptions {
+    ColorSettings color;
+};
+
 struct CheckOptions {
     SceneOptions scene;
 };
@@ -85,7 +97,8 @@ struct Information {
     std::string text;
 };
 
-using Command = std::variant<RenderOptions, CheckOptions, CompareOptions, DevicesOptions, Information>;
+using Command = std::variant<RenderOptions, VerifyOptions, ColorChoicesOptions, CheckOptions, CompareOptions,
+                             DevicesOptions, Information>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

@@ -49,12 +49,7 @@ std::optional<std::filesystem::path> read_movie(const OutputTexts& texts, const 
 
 } // namespace
 
-void add_output_options(CLI::App& command, OutputTexts& texts) {
-    command
-        .add_option(
-            "-o,--output", texts.output,
-            "Picture file: .png .exr .tif .jpg; #### or %04d is the frame; .gif for a whole animation [SCENE.png]")
-        ->type_name("OUT");
+void add_format_options(CLI::App& command, OutputTexts& texts) {
     command.add_option("--bits", texts.bits, "8, 16, half or float a channel [8; half for .exr]")->type_name("B");
     command
         .add_option("--compression", texts.compression,
@@ -64,21 +59,44 @@ void add_output_options(CLI::App& command, OutputTexts& texts) {
         .add_option("--fps", texts.fps,
                     "Frames a second, for --movie, .gif and .exr headers: 24, 29.97, 30000/1001 [24]")
         ->type_name("F");
+}
+
+void add_output_options(CLI::App& command, OutputTexts& texts) {
+    command
+        .add_option("-o,--output", texts.output,
+                    "Picture file: .png .exr .tif .jpg; #### or %04d is the frame; .gif for a whole animation "
+                    "[SCENE.png]")
+        ->type_name("OUT");
+    add_format_options(command, texts);
     command.add_option("--movie", texts.movie, "Make a film of the frames too, by ffmpeg: .mp4 or .webm")
         ->type_name("FILE");
+    command.add_flag("--skip-existing", texts.skip_existing,
+                     "Keep files that are whole and just what this run would write");
     command.add_flag("--dry-run", texts.dry_run, "Print the frames and their files, and render nothing");
     command.add_option("--progress", texts.progress, "auto, plain, json or none, on standard error [auto]")
         ->type_name("STYLE");
     command.add_option("--stats-json", texts.stats_json, "Write what each step cost as JSON")->type_name("FILE");
 }
 
-void read_output_options(const OutputTexts& texts, RenderOptions& options) {
+void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& options) {
     options.output = read_output(texts, options.scene);
+    if (holds_animation(options.output->format()) && is_part)
+        throw UsageError(
+            fmt::format("-o {}: a .gif holds all frames at once; render parts to -o OUT.####.png", texts.output));
+    if (holds_animation(options.output->format()) && texts.skip_existing)
+        throw UsageError(
+            fmt::format("--skip-existing: a .gif does not say what it is of; leave it out, or write -o OUT.####.png"));
+    if (is_part && !texts.movie.empty())
+        throw UsageError(
+            fmt::format("--movie {0}: a part has not all frames; when all parts are there, run once more with "
+                        "--skip-existing --movie {0} and without --shard",
+                        texts.movie));
     options.type = choose_sample_type(options.output->format(), given(texts.bits));
     options.compression = choose_compression(options.output->format(), given(texts.compression));
     if (!texts.fps.empty())
         options.rate = parse_frame_rate(texts.fps);
     options.dry_run = texts.dry_run;
+    options.skip_existing = texts.skip_existing;
     options.movie = read_movie(texts, options);
     options.progress = parse_choice<ProgressStyle>("--progress", texts.progress,
                                                    {{"auto", ProgressStyle::automatic},

@@ -9,12 +9,16 @@ namespace proxima {
 
 struct OutputTexts {
     std::string output, bits, compression, fps, movie, progress = "auto", stats_json;
-    bool dry_run = false;
+    bool dry_run = false, skip_existing = false;
 };
 
+/// What is in a frame's file.
+void add_format_options(CLI::App& command, OutputTexts& texts);
+/// The rest.
 void add_output_options(CLI::App& command, OutputTexts& texts);
 
 /// Sets the members of `options` that are about output; the scene's must be set. Throws UsageError.
-void read_output_options(const OutputTexts& texts, RenderOptions& options);
+/// `is_part`: not all frames are rendered now.
+void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& options);
 
 } // namespace proxima

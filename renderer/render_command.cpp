@@ -6,6 +6,7 @@
 #include "renderer/commands.h"
 #include "renderer/device_error.h"
 #include "renderer/errors.h"
+#include "renderer/frame_audit.h"
 #include "renderer/frame_finisher.h"
 #include "renderer/frame_scheduler.h"
 #include "renderer/frame_source.h"
@@ -29,6 +30,18 @@ void print_frames(const RenderOptions& options) {
         fmt::print("{} {}\n", frame, options.output->path(frame).string());
 }
 
+/// Leaves the frames that are not complete yet. Returns how many were.
+size_t skip_complete(const RenderOptions& options, SceneSource& scene, const FrameHash& hash,
+                     const std::vector<std::string>& backends, Animation& animation) {
+    std::vector<int64_t> left;
+    for (const AuditedFrame& frame : audit_frames(options, scene, hash, backends))
+        if (frame.state != FrameState::complete)
+            left.push_back(frame.frame);
+    const size_t skipped = animation.frames.size() - left.size();
+    animation.frames = std::move(left);
+    return skipped;
+}
+
 void check_outputs(const RenderOptions& options) {
     for (const int64_t frame : {options.scene.animation.frames.front(), options.scene.animation.frames.back()})
         check_writable(options.output->path(frame));
@@ -41,6 +54,13 @@ void write_statistics(const RenderOptions& options, const RunRecord& run) {
         return;
     const std::string text = to_json(run);
     write_file(*options.stats_json, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+std::vector<std::string> backends_of(const StartedDevices& started) {
+    std::vector<std::string> backends;
+    for (const StartedDevice& device : started.devices)
+        backends.emplace_back(backend_of(device.device.name));
+    return backends;
 }
 
 /// Encoding is the work of one thread a frame.
@@ -58,7 +78,7 @@ std::string precision_name(Precision precision) {
 void render_command(const RenderOptions& options) {
     const Stopwatch wall;
     const StopSignal stop;
-    const Animation& animation = options.scene.animation;
+    Animation animation = options.scene.animation; // the frames to render
     if (options.dry_run)
         return print_frames(options);
     if (animation.frames.empty()) {
@@ -82,7 +102,12 @@ void render_command(const RenderOptions& options) {
                   .height = options.frame.height,
                   .samples = options.frame.samples,
                   .spheres = scene.program().spheres.size() + scene.program().ellipsoids.size()};
+    size_t skipped = 0;
+    if (options.skip_existing)
+        skipped = skip_complete(options, scene, finisher.hash(), backends_of(started), animation);
     Progress progress(options.progress, animation.frames.size());
+    if (options.skip_existing)
+        progress.note(fmt::format("{} of {} frames are there", skipped, skipped + animation.frames.size()));
     for (const std::string& failure : started.failures)
         progress.note(failure);
     if (animation.has_no_step())
@@ -103,7 +128,8 @@ void render_command(const RenderOptions& options) {
                                   [&](const FrameTask& task) {
                                       return FrameRecord{.frame = task.frame,
                                                          .file = options.output->path(task.frame).string(),
-                                                         .precision = precision_name(options.frame.precision)};
+                                                         .precision = precision_name(options.frame.precision),
+                                                         .scene = task.facts};
                                   },
                               .note = [&](const std::string& text) { progress.note(text); },
                               .watch = watch});

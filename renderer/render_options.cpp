@@ -18,43 +18,80 @@ FrameSettings read_picture_settings(const RenderTexts& texts, const SceneOptions
     return frame;
 }
 
+/// Everything that decides what is in a frame.
+void add_picture_options(CLI::App& command, RenderTexts& texts, const char* doing) {
+    add_scene(command, texts.scene);
+    add_scene_options(command, texts.scene);
+    add_choice_options(command, texts.scene, doing);
+    command.add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
+    add_antialias_option(command, texts.antialias);
+    add_device_options(command, texts.device);
+    command.add_option("--tolerances", texts.tolerances, "exact, or povray to compare with POV-Ray [exact]")
+        ->type_name("T");
+    add_color_options(command, texts.color);
+}
+
 } // namespace
 
 CLI::App* add_render(CLI::App& app, RenderTexts& texts) {
     CLI::App* render = app.add_subcommand("render", "Render a scene into picture files");
-    add_scene(*render, texts.scene);
-    add_scene_options(*render, texts.scene);
-    add_choice_options(*render, texts.scene, "render");
-    render->add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
-    add_antialias_option(*render, texts.antialias);
-    add_device_options(*render, texts.device);
+    add_picture_options(*render, texts, "render");
     add_multi_gpu_options(*render, texts.multi_gpu);
-    render->add_option("--tolerances", texts.tolerances, "exact, or povray to compare with POV-Ray [exact]")
-        ->type_name("T");
     add_output_options(*render, texts.output);
-    add_color_options(*render, texts.color);
-    render->footer("Examples:\n"
-                   "  proxima render ball.scn\n"
-                   "  proxima render ball.scn -o ball.exr --size 1920x1080 --samples 16\n"
-                   "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic\n"
-                   "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic --subset 31-60\n");
+    render->add_flag("--list-colorspaces", texts.color.list,
+                     "Print the displays, views, looks and colour spaces that there are; needs no SCENE");
+    render->footer(
+        "Examples:\n"
+        "  proxima render ball.scn\n"
+        "  proxima render ball.scn -o ball.exr --size 1920x1080 --samples 16\n"
+        "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic\n"
+        "  proxima render orbit.scn -o out/orbit.####.png --frames 1-120 --cyclic --subset 31-60\n"
+        "  proxima render orbit.scn -o out/orbit.####.exr --frames 1-120 --cyclic --shard 2/4 --skip-existing\n"
+        "  proxima render orbit.scn -o orbit.gif --frames 1-48 --cyclic\n");
     return render;
 }
 
+CLI::App* add_verify(CLI::App& app, RenderTexts& texts) {
+    CLI::App* verify = app.add_subcommand("verify", "Check that frames are there, whole, and of this scene");
+    add_picture_options(*verify, texts, "check");
+    verify->get_option("SCENE")->required();
+    verify->add_option("OUT", texts.output.output, "The files, as render's -o has them")->required();
+    add_format_options(*verify, texts.output);
+    verify->footer(
+        "Every option that changes the picture must be as it was for render. Frames by the CPU and by CUDA are "
+        "both\nright unless --device says which.\n"
+        "Exit codes: 0 all are; 4 some are missing, corrupt or foreign, and listed.\n"
+        "Example:\n"
+        "  proxima verify orbit.scn out/orbit.####.exr --frames 1-120 --cyclic\n");
+    return verify;
+}
+
 RenderOptions read_render_options(const CLI::App& command, RenderTexts& texts) {
+    if (texts.scene.scene.empty())
+        throw UsageError("SCENE is missing; write `proxima render SCENE`, or see `proxima render --help`");
     const IniOptions ini = apply_ini(command, texts.scene);
     apply_ini_rendering(command, ini, texts.scene, texts.device, texts.antialias);
-    take(command, "--output", texts.output.output, ini.output);
+    if (texts.output.output.empty())
+        texts.output.output = ini.output;
     take(command, "--bits", texts.output.bits, ini.bits);
 
     RenderOptions options;
     options.scene = read_scene_options(texts.scene);
-    read_output_options(texts.output, options);
+    read_output_options(texts.output, !texts.scene.shard.empty(), options);
     options.color = read_color_options(texts.color, options.type, options.movie.has_value());
+    options.dither = texts.color.dither;
     options.frame = read_picture_settings(texts, options.scene);
     options.device = parse_device(texts.device.device);
     options.multi_gpu = read_multi_gpu_options(texts.multi_gpu, options.device);
     options.threads = parse_count("--threads", texts.device.threads, 0, 4096);
+    return options;
+}
+
+VerifyOptions read_verify_options(const CLI::App& command, RenderTexts& texts) {
+    VerifyOptions options{read_render_options(command, texts)};
+    if (holds_animation(options.render.output->format()))
+        throw UsageError(fmt::format("{}: a .gif does not say what it is of; only picture files can be verified",
+                                     texts.output.output));
     return options;
 }
 

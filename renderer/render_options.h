@@ -19,8 +19,11 @@ struct RenderTexts {
 };
 
 CLI::App* add_render(CLI::App& app, RenderTexts& texts);
+/// The same pictures, looked at.
+CLI::App* add_verify(CLI::App& app, RenderTexts& texts);
 
-/// `command` is what add_render made; takes a POV-Ray .ini's texts over. Throws UsageError and FileError.
+/// `command` is what one of them made; takes a POV-Ray .ini's texts over. Throws UsageError and FileError.
 RenderOptions read_render_options(const CLI::App& command, RenderTexts& texts);
+VerifyOptions read_verify_options(const CLI::App& command, RenderTexts& texts);
 
 } // namespace proxima

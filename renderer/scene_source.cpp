@@ -3,6 +3,7 @@
 #include "renderer/errors.h"
 #include "renderer/timing.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace proxima {
@@ -30,8 +31,26 @@ bool SceneSource::load(int64_t frame) {
           [&] { program_ = std::make_shared<const SceneProgram>(script_->evaluate(settings, diagnostics)); });
     reject_mistakes(diagnostics);
     loaded_frame_ = frame;
+    hash_.reset();
+    moving_camera_.reset();
     same_for_all_frames_ = !program_->depends_on_time;
     return true;
+}
+
+SceneFacts SceneSource::facts(int64_t frame) {
+    if (!hash_) {
+        hash_ = hash_scene(*program_);
+        if (std::ranges::any_of(program_->motion.fields,
+                                [](const MotionField& field) { return field.table == MotionField::Table::camera; }))
+            moving_camera_ = *program_;
+    }
+    SceneFacts facts{*hash_, options_.animation.clock(frame), program_->camera};
+    if (moving_camera_) {
+        move_fields(*moving_camera_, program_->motion,
+                    {facts.time.clock, facts.time.frame_number, facts.time.clock_delta});
+        facts.camera = moving_camera_->camera;
+    }
+    return facts;
 }
 
 std::string SceneSource::messages(bool notes) const {

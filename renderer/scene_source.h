@@ -3,6 +3,7 @@
 #pragma once
 #include "parser/scene_script.h"
 #include "renderer/options.h"
+#include "renderer/scene_facts.h"
 
 #include <cstdint>
 #include <functional>
@@ -25,6 +26,8 @@ public:
     const SceneProgram& program() const { return *program_; }
     /// The same, for those who use it while a later frame is loaded. Null once released.
     std::shared_ptr<const SceneProgram> shared_program() const { return program_; }
+    /// What a file of `frame` says of the scene, which was loaded for it and not released since.
+    SceneFacts facts(int64_t frame);
     /// Gives the program up: its memory is free when nobody shares it, and a device has its own copy. Frames that do
     /// not differ are still known to be the same.
     void release_program() { program_.reset(); }
@@ -46,6 +49,8 @@ private:
     std::shared_ptr<const SceneProgram> program_;
     std::optional<int64_t> loaded_frame_;
     bool same_for_all_frames_ = false;
+    std::optional<Hash128> hash_;              ///< of the program
+    std::optional<SceneTables> moving_camera_; ///< tables to move to a frame's time, when the camera moves
 };
 
 } // namespace proxima

@@ -51,7 +51,7 @@ Animation read_animation(const SceneTexts& texts) {
 } // namespace
 
 void add_scene(CLI::App& command, SceneTexts& texts) {
-    command.add_option("SCENE", texts.scene, "The scene file, - for standard input, or a POV-Ray .ini")->required();
+    command.add_option("SCENE", texts.scene, "The scene file, - for standard input, or a POV-Ray .ini");
 }
 
 void add_choice_options(CLI::App& command, SceneTexts& texts, const char* doing) {

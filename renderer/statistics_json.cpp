@@ -25,6 +25,7 @@ Json frame_json(const FrameRecord& record) {
     const FrameStatistics& statistics = record.statistics;
     return {{"frame", record.frame},
             {"file", record.file},
+            {"hash", record.hash},
             {"device", record.device},
             {"precision", record.precision},
             {"method", statistics.method},

@@ -2,6 +2,7 @@
 // What a run cost, as one JSON object: the --stats-json file.
 #pragma once
 #include "renderer/frame_renderer.h"
+#include "renderer/scene_facts.h"
 
 #include <cstdint>
 #include <string>
@@ -14,6 +15,8 @@ struct FrameRecord {
     std::string file{};
     std::string device{};
     std::string precision{};
+    SceneFacts scene{};
+    std::string hash{}; ///< of all that the file follows from, see frame_hash.h
     FrameStatistics statistics{};
     uint64_t replaced_samples = 0; ///< not finite, see replace_non_finite
     uint64_t clamped_samples = 0;  ///< beyond what a half holds

@@ -17,6 +17,7 @@ struct StoredImage {
     std::string encoding{};                      ///< "sRGB", "Linear", "Gamma2.2"; empty when the file does not say
     std::vector<float> samples{};                ///< levels up to full_scale(type); of half and float the numbers
     std::vector<std::string> ignored_channels{}; ///< what the file holds beside the above
+    std::string hash{};                          ///< of a file by `proxima render`, see frame_hash.h; empty in others
 };
 
 /// The number that stands for white.

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <set>
 
 using namespace proxima;
 
@@ -27,7 +28,7 @@ double srgb(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-const ColorSettings untoned{{}, "sRGB", "Un-tone-mapped"};
+const ColorSettings untoned{.display = "sRGB", .view = "Un-tone-mapped"};
 
 /// A configuration file, gone with the test.
 struct ConfigFile {
@@ -58,7 +59,21 @@ TEST_CASE("color: the embedded configuration gives the golden values") {
         std::array<float, 3> linear, display;
     };
     const ColorSettings aces{{}, "sRGB", "ACES 1.0 - SDR Video"};
+    const ColorSettings television{{}, "Rec.1886 Rec.709", "Un-tone-mapped"};
+    const ColorSettings television_aces{{}, "Rec.1886 Rec.709", "ACES 1.0 - SDR Video"};
+    const ColorSettings cg{.space = "ACEScg", .target = ColorTarget::space};
+    const ColorSettings from_cg{
+        .space = "lin_rec709", .target = ColorTarget::space, .working_space = WorkingSpace::acescg};
+    const ColorSettings still_cg{.target = ColorTarget::scene_linear, .working_space = WorkingSpace::acescg};
     const Row rows[] = {
+        // Rec.1886 is a power of 2.4; a tone map is the same on every display, in light.
+        {television, {0.18f, 0.5f, 0.05f}, {0.489437f, 0.749154f, 0.287015f}},
+        {television_aces, {0.18f, 0.18f, 0.18f}, {0.389530f, 0.389530f, 0.389530f}},
+        {{{}, "Rec.1886 Rec.709", "Raw"}, {0.5f, 0.25f, 4.0f}, {0.5f, 0.25f, 4.0f}},
+        {cg, {0.5f, 0.25f, 0.05f}, {0.393798f, 0.264858f, 0.081191f}},
+        {from_cg, {0.393798f, 0.264858f, 0.081191f}, {0.5f, 0.25f, 0.05f}},
+        {still_cg, {0.5f, 0.25f, 0.05f}, {0.5f, 0.25f, 0.05f}},
+        {{.working_space = WorkingSpace::acescg}, {0.393798f, 0.264858f, 0.081191f}, {0.735357f, 0.537099f, 0.247801f}},
         {{}, {0.18f, 0.18f, 0.18f}, {0.461356f, 0.461356f, 0.461356f}},
         {untoned, {0.5f, 0.25f, 0.05f}, {0.735357f, 0.537099f, 0.247801f}},
         {aces, {0.18f, 0.18f, 0.18f}, {0.355954f, 0.355954f, 0.355954f}},
@@ -110,10 +125,73 @@ TEST_CASE("color: levels are rounded as POV-Ray rounds them") {
 }
 
 TEST_CASE("color: the encoding of a view is known to the file") {
-    CHECK(ColorTransform(ColorSettings{}).encoding() == "sRGB");
-    CHECK(ColorTransform({{}, "sRGB", "ACES 1.0 - SDR Video"}).encoding() == "sRGB");
-    CHECK(ColorTransform({{}, "", "Raw"}).encoding() == "Linear");
-    CHECK(ColorTransform({{}, "Rec.1886 Rec.709", ""}).encoding() == "Gamma2.4");
+    CHECK(ColorTransform(ColorSettings{}).file().encoding == "sRGB");
+    CHECK(ColorTransform({{}, "sRGB", "ACES 1.0 - SDR Video"}).file().encoding == "sRGB");
+    CHECK(ColorTransform({{}, "", "Raw"}).file().encoding == "Linear");
+    CHECK(ColorTransform({{}, "Rec.1886 Rec.709", ""}).file().encoding == "Gamma2.4");
+}
+
+TEST_CASE("color: linear light has a name and chromaticities in a header, what a display shows has none") {
+    struct Row {
+        ColorSettings settings;
+        const char* interop_id;
+        float red_x;
+    };
+    const auto space = [](const char* name) { return ColorSettings{.space = name, .target = ColorTarget::space}; };
+    const Row rows[] = {
+        {{.target = ColorTarget::scene_linear}, "lin_rec709_scene", 0.64f},
+        {{.target = ColorTarget::scene_linear, .working_space = WorkingSpace::acescg}, "lin_ap1_scene", 0.713f},
+        {space("ACEScg"), "lin_ap1_scene", 0.713f},
+        {space("lin_ap1_scene"), "lin_ap1_scene", 0.713f},
+        {space("ACES2065-1"), "lin_ap0_scene", 0.7347f},
+        {space("scene_linear"), "lin_rec709_scene", 0.64f},
+    };
+    for (const Row& row : rows) {
+        CAPTURE(row.settings.space);
+        const FileColors colors = ColorTransform(row.settings).file();
+        CHECK(colors.encoding == "Linear");
+        CHECK(colors.interop_id == row.interop_id);
+        REQUIRE(colors.chromaticities);
+        CHECK((*colors.chromaticities)[0] == row.red_x);
+    }
+    for (const ColorSettings& settings : {ColorSettings{}, space("ACEScct"), space("sRGB - Texture")})
+        CHECK_FALSE(ColorTransform(settings).file().chromaticities);
+    CHECK(ColorTransform(space("sRGB - Texture")).file().encoding == "sRGB");
+}
+
+TEST_CASE("color: a look comes before the view") {
+    const char* look = "ACES 1.3 Reference Gamut Compression";
+    const std::array<float, 3> vivid{0.0f, 0.9f, -0.2f};
+    CHECK(through({.look = look}, vivid) != through({}, vivid));
+    // Colours well inside the gamut stay as they are.
+    CHECK(through({.look = look}, {0.4f, 0.4f, 0.4f})[0] == doctest::Approx(through({}, {0.4f, 0.4f, 0.4f})[0]));
+    CHECK_THROWS_WITH_AS(ColorTransform({.look = "Sepia"}),
+                         "--look 'Sepia': the colour configuration does not have it; choose one of 'ACES 1.3 Reference "
+                         "Gamut Compression'",
+                         UsageError);
+    CHECK_THROWS_AS(ColorTransform({.space = "Sepia", .target = ColorTarget::space}), UsageError);
+}
+
+TEST_CASE("color: an identity is the same in every run, and another one for other colours") {
+    const ColorSettings settings[] = {{},
+                                      {.view = "ACES 1.0 - SDR Video"},
+                                      {.view = "Raw"},
+                                      {.look = "ACES 1.3 Reference Gamut Compression"},
+                                      {.target = ColorTarget::scene_linear},
+                                      {.target = ColorTarget::scene_linear, .working_space = WorkingSpace::acescg},
+                                      {.space = "ACEScg", .target = ColorTarget::space}};
+    std::set<std::string> identities;
+    for (const ColorSettings& each : settings) {
+        CHECK(identities.insert(ColorTransform(each).identity()).second);
+        CHECK(ColorTransform(each).identity() == ColorTransform(each).identity());
+    }
+}
+
+TEST_CASE("color: the choices of a configuration are listed") {
+    const std::string text = list_color_choices({});
+    for (const char* part : {"sRGB: Un-tone-mapped, ACES 1.0 - SDR Video, Raw", "ACES 1.3 Reference Gamut Compression",
+                             "ACEScg", "lin_rec709"})
+        CHECK(text.find(part) != std::string::npos);
 }
 
 TEST_CASE("color: an unknown display or view is refused with the choices") {

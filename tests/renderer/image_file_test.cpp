@@ -104,6 +104,22 @@ TEST_CASE("image file: PNG says how its colours are encoded") {
     CHECK(space("Gamma2.4") == "Gamma2.4");
 }
 
+TEST_CASE("image file: every format can be read whatever its colours are called") {
+    for (const auto& [format, name] : {std::pair{ImageFormat::png, "named.png"},
+                                       {ImageFormat::tiff, "named.tif"},
+                                       {ImageFormat::jpeg, "named.jpg"},
+                                       {ImageFormat::exr, "named.exr"}})
+        for (const char* encoding : {"sRGB", "Linear", "Gamma2.4", ""}) {
+            CAPTURE(name);
+            CAPTURE(encoding);
+            const ReadBack file = write_and_read(
+                gradient(8, 8),
+                {.format = format, .type = choose_sample_type(format, {}), .facts = {.color_encoding = encoding}},
+                name);
+            CHECK(file.spec.width == 8);
+        }
+}
+
 TEST_CASE("image file: EXR has its facts under the names that others know") {
     const std::array<float, 8> rec709{0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
     std::array<float, 16> matrix{};
@@ -207,4 +223,18 @@ TEST_CASE("image file: the same picture gives the same bytes") {
         CAPTURE(int(format));
         CHECK(encoder().encode(image, settings) == encoder().encode(image, settings));
     }
+}
+
+TEST_CASE("image file: dither rounds by chance, the same each time, and keeps the mean") {
+    const Image image{256, 256, std::vector<float>(256 * 256 * 3, 100.25f / 255)};
+    const std::vector<uint8_t> levels = quantize_to_bytes(image, true);
+    CHECK(levels == quantize_to_bytes(image, true));
+    double sum = 0;
+    for (const uint8_t level : levels) {
+        REQUIRE((level == 100 || level == 101));
+        sum += level;
+    }
+    CHECK(sum / double(levels.size()) == doctest::Approx(100.25).epsilon(1e-4));
+    const Image ends{2, 1, {0, 1, 0, 1, -5, 7}};
+    CHECK(quantize_to_bytes(ends, true) == std::vector<uint8_t>{0, 255, 0, 255, 0, 255});
 }

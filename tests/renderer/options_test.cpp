@@ -138,7 +138,18 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
         {{"-o", "a.##.png"},
          "-o a.##.png: a still has no frame number; take '#' or '%d' out of the name, or give --frames A-B"},
         {{"-o", "a.exr", "--view", "Raw"},
-         "--display, --view: this file holds scene-linear light, not a view of it; write a .png, or leave them out"},
+         "--display, --view, --look: this file holds scene-linear light, not a view of it; write a .png, name a "
+         "--colorspace, or leave them out"},
+        {{"-o", "a.exr", "--dither"}, "--dither: half and float numbers are not rounded to levels; leave it out"},
+        {{"--colorspace", "ACEScg", "--view", "Raw"},
+         "--colorspace ACEScg: the files hold either a colour space or a view of a display; leave out --display, "
+         "--view "
+         "and --movie"},
+        {{"--working-space", "p3"}, "--working-space p3: not one of acescg, rec709"},
+        {{"-o", "a.gif", "--frames", "1-3", "--shard", "1/3"},
+         "-o a.gif: a .gif holds all frames at once; render parts to -o OUT.####.png"},
+        {{"-o", "a.gif", "--skip-existing"},
+         "--skip-existing: a .gif does not say what it is of; leave it out, or write -o OUT.####.png"},
         {{"--frames", "1-3", "-o", "a.###.gif"},
          "-o a.###.gif: a .gif holds all frames; take the frame number out of its name"},
         {{"--movie", "a.mp4"}, "--movie a.mp4: a still does not move; give --frames A-B too"},
@@ -159,9 +170,10 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
         CHECK_THROWS_WITH_AS(render(row.arguments), row.message, UsageError);
     }
     CHECK_THROWS_WITH_AS(parse({}), "no command; write `proxima render SCENE`, or see `proxima --help`", UsageError);
-    CHECK_THROWS_WITH_AS(parse({"rendr", "a.scn"}),
-                         "'rendr' is no command; write one of render, compare, check, devices; did you mean render?",
-                         UsageError);
+    CHECK_THROWS_WITH_AS(
+        parse({"rendr", "a.scn"}),
+        "'rendr' is no command; write one of render, verify, compare, check, devices; did you mean render?",
+        UsageError);
     CHECK_THROWS_AS(parse({"render"}), UsageError);
     CHECK_THROWS_AS(parse({"render", "a.scn", "--colour"}), UsageError);
     CHECK_THROWS_AS(parse({"render", "a.scn", "b.scn"}), UsageError);

@@ -87,3 +87,120 @@ TEST_CASE("output: a film that cannot be made is refused before anything is rend
     CHECK(work.render(film("missing/a.mp4")).exit_code == (run_process({"ffmpeg", "-version"}).exit_code == 0 ? 3 : 2));
     CHECK(work.files().empty());
 }
+
+TEST_CASE("output: --skip-existing keeps what is whole and right, and makes the rest anew") {
+    const Workplace work("output_test");
+    const auto arguments = [](const std::string& ending) {
+        return std::vector<std::string>{"moving.scn", "-o", "a.#." + ending, "--frames", "1-4"};
+    };
+    for (const char* ending : {"exr", "png", "tif", "jpg"}) {
+        CAPTURE(ending);
+        const auto name = [&](int frame) { return fmt::format("a.000{}.{}", frame, ending); };
+        REQUIRE(work.render(arguments(ending)).exit_code == 0);
+        std::vector<std::string> before;
+        for (int frame = 1; frame <= 4; ++frame)
+            before.push_back(work.content(name(frame)));
+
+        auto again = arguments(ending);
+        again.push_back("--skip-existing");
+        CHECK(says(work.render(again).standard_error, "4 of 4 frames are there"));
+        fs::remove(work.folder / name(1));
+        work.write(name(2), before[1].substr(0, before[1].size() / 2));
+        work.write(name(3), before[3]); // whole, but another frame
+        const ProcessResult run = work.render(again);
+        CHECK(run.exit_code == 0);
+        CHECK(says(run.standard_error, "1 of 4 frames are there"));
+        CHECK(says(run.standard_error, "(3 of 3, "));
+        for (int frame = 1; frame <= 4; ++frame)
+            CHECK(work.content(name(frame)) == before[size_t(frame - 1)]);
+
+        again.insert(again.end(), {"--samples", "4"});
+        CHECK(says(work.render(again).standard_error, "0 of 4 frames are there"));
+        CHECK(work.content(name(1)) != before[0]);
+        for (int frame = 1; frame <= 4; ++frame)
+            fs::remove(work.folder / name(frame));
+    }
+}
+
+TEST_CASE("output: --skip-existing notices another scene, not another text") {
+    const Workplace work("output_test");
+    const std::vector<std::string> again{"moving.scn", "-o", "a.#.exr", "--frames", "1-3", "--skip-existing"};
+    REQUIRE(work.render(again).exit_code == 0);
+    work.write("moving.scn", std::string(moving_scene) + "// a remark\n");
+    CHECK(says(work.render(again).standard_error, "3 of 3 frames are there"));
+    std::string other = moving_scene;
+    other.replace(other.find("0.3"), 3, "0.4");
+    work.write("moving.scn", other);
+    CHECK(says(work.render(again).standard_error, "0 of 3 frames are there"));
+    work.write("data.inc", "#declare Radius = 0.5;");
+    other.replace(other.find("0.5"), 3, "Radius");
+    work.write("moving.scn", "#include \"data.inc\"\n" + other);
+    CHECK(says(work.render(again).standard_error, "3 of 3 frames are there"));
+    work.write("data.inc", "#declare Radius = 0.6;");
+    CHECK(says(work.render(again).standard_error, "0 of 3 frames are there"));
+}
+
+TEST_CASE("output: verify lists what is missing, corrupt or foreign") {
+    const Workplace work("output_test");
+    const std::vector<std::string> verify{"verify", "moving.scn", "a.#.exr", "--frames", "1-5", "--size", "32x24"};
+    REQUIRE(work.render({"moving.scn", "-o", "a.#.exr", "--frames", "1-5"}).exit_code == 0);
+    const ProcessResult right = work.run(verify);
+    CHECK(right.exit_code == 0);
+    CHECK(right.standard_output == "5 of 5 frames are complete\n");
+
+    fs::remove(work.folder / "a.0001.exr");
+    work.write("a.0002.exr", work.content("a.0002.exr").substr(0, 700));
+    fs::copy_file(work.folder / "a.0005.exr", work.folder / "a.0003.exr", fs::copy_options::overwrite_existing);
+    REQUIRE(work.render({"still.scn", "-o", "a.0004.exr", "--samples", "2"}).exit_code == 0);
+    const ProcessResult wrong = work.run(verify);
+    CHECK(wrong.exit_code == 4);
+    for (const char* line :
+         {"missing frame 1, a.0001.exr: ", "corrupt frame 2, a.0002.exr: ", "foreign frame 3, a.0003.exr: ",
+          "foreign frame 4, a.0004.exr: ", "1 of 5 frames are complete"})
+        CHECK_MESSAGE(says(wrong.standard_output, line), wrong.standard_output);
+    CHECK(says(wrong.standard_error, "4 of 5 frames are not what moving.scn makes"));
+
+    auto by_cuda = verify;
+    by_cuda.insert(by_cuda.end(), {"--device", "cuda"});
+    CHECK(says(work.run(by_cuda).standard_output, "0 of 5 frames are complete"));
+    CHECK(work.run({"verify", "moving.scn", "a.gif", "--frames", "1-5"}).exit_code == 2);
+    CHECK(work.run({"verify", "moving.scn"}).exit_code == 2);
+}
+
+TEST_CASE("output: a film of a run that was finished in parts") {
+    if (run_process({"ffmpeg", "-version"}).exit_code != 0) {
+        MESSAGE("skipped: there is no ffmpeg");
+        return;
+    }
+    const Workplace work("output_test");
+    const std::vector<std::string> whole{"moving.scn", "-o",      "a.#.png", "--frames",
+                                         "1-6",        "--movie", "a.mp4",   "--skip-existing"};
+    auto part = whole;
+    part.insert(part.end(), {"--shard", "1/2"});
+    CHECK(says(work.render(part).standard_error, "run once more with --skip-existing --movie a.mp4"));
+    REQUIRE(work.render({"moving.scn", "-o", "a.#.png", "--frames", "1-6", "--shard", "1/2"}).exit_code == 0);
+    REQUIRE(work.render(whole).exit_code == 0);
+    REQUIRE(work.render({"moving.scn", "-o", "b.#.png", "--frames", "1-6", "--movie", "b.mp4"}).exit_code == 0);
+    CHECK(work.content("a.mp4") == work.content("b.mp4"));
+}
+
+TEST_CASE("output: the colours that can be chosen are listed without a scene") {
+    const Workplace work("output_test");
+    const ProcessResult run = work.run({"render", "--list-colorspaces"});
+    CHECK(run.exit_code == 0);
+    CHECK(says(run.standard_output, "sRGB: Un-tone-mapped"));
+}
+
+TEST_CASE("output: EXR is scene-linear unless a colour space is asked for") {
+    const Workplace work("output_test");
+    OIIO::ImageSpec spec;
+    REQUIRE(work.render({"still.scn", "-o", "a.exr", "--colorspace", "ACEScg", "--bits", "float"}).exit_code == 0);
+    work.corner("a.exr", &spec);
+    CHECK(spec.get_string_attribute("colorInteropID") == "lin_ap1_scene");
+    REQUIRE(work.render({"still.scn", "-o", "b.exr", "--working-space", "acescg"}).exit_code == 0);
+    work.corner("b.exr", &spec);
+    CHECK(spec.get_string_attribute("colorInteropID") == "lin_ap1_scene");
+    CHECK(work.render({"still.scn", "-o", "c.exr", "--look", "x"}).exit_code == 2);
+    CHECK(work.render({"still.scn", "-o", "c.exr", "--colorspace", "x"}).exit_code == 2);
+    CHECK(work.render({"still.scn", "-o", "c.png", "--colorspace", "ACEScg", "--view", "Raw"}).exit_code == 2);
+}

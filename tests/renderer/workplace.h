@@ -44,7 +44,9 @@ struct Workplace {
     }
     ~Workplace() { fs::remove_all(folder); }
 
-    void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder / name, std::ios::binary) << text;
+    }
 
     ProcessResult run(std::vector<std::string> arguments, std::vector<std::string> wrapper = {}) const {
         wrapper.push_back(PROXIMA_PROGRAM);
