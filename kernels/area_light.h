@@ -59,7 +59,7 @@ struct AreaRegion {
 };
 
 /// The share of an area light that arrives at a surface. `color` is the light's, before shadows.
-template <bool filters, class Real, class Path>
+template <class Real, class Path>
 HD_RARE Vec3<Real> area_light_arriving(const SceneView<Real>& scene, const Light<Real>& light,
                                        const Surface<Path>& surface, const Vec3<Real>& color, InteriorList& interiors,
                                        NoiseStream& noise) {
@@ -70,7 +70,7 @@ HD_RARE Vec3<Real> area_light_arriving(const SceneView<Real>& scene, const Light
         const Real du = area.jitter ? Real(noise.next()) : Real(0);
         const Real dv = area.jitter ? Real(noise.next()) : Real(0);
         const LightRay<Real> ray = light_ray(light, point, places.offset(Real(u) + du, Real(v) + dv));
-        return light_arriving<filters>(scene, surface, Vec3<Path>(ray.direction), ray.distance, interiors);
+        return light_arriving(scene, surface, Vec3<Path>(ray.direction), ray.distance, interiors);
     };
     Vec3<Real> sum(Real(0));
     if (area.adaptive == AreaLight<Real>::every_place) {

@@ -111,7 +111,7 @@ struct MeasureDistances {
 struct DistancePass {
     CloudView cloud;
     int32_t axis = 0;
-    int32_t piece = 64;                ///< bricks an item
+    int32_t piece = 8;                 ///< bricks an item
     std::span<const uint8_t> occupied; ///< 0 where a brick is
     std::span<const uint8_t> in;
     std::span<uint8_t> out;

@@ -37,6 +37,16 @@ template <class Real> struct Box {
     Vec3<Real> upper{Real(0)};
 };
 
+/// The box around two boxes.
+template <class Real> HD Box<Real> joined(const Box<Real>& a, const Box<Real>& b) {
+    Box<Real> box;
+    for (int i = 0; i < 3; ++i) {
+        box.lower[i] = smaller(a.lower[i], b.lower[i]);
+        box.upper[i] = larger(a.upper[i], b.upper[i]);
+    }
+    return box;
+}
+
 /// The box that an ellipsoid just fits in.
 template <class Real> HD Box<Real> bounding_box(const Ellipsoid<Real>& ellipsoid) {
     const Affine<Real>& map = ellipsoid.world_from_object;

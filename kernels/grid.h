@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A uniform grid over the frame's bounds: a list of primitives a voxel, all lists in one array (Lagae and Dutre,
-// "Compact, Fast and Robust Grids for Ray Tracing", 2008). With a cloud over it, its voxels stand in bricks of b^3, and
-// only bricks that hold something have lists. Points go in, voxels come out.
+// A uniform grid over the frame's bounds: a linked list of primitives a voxel, all links in one array, so that one pass
+// over the primitives builds it. With a cloud over it, its voxels stand in bricks of b^3, and only bricks that hold
+// something have lists. Points go in, voxels come out.
 #pragma once
 #include "kernels/cloud.h"
 #include "kernels/geometry.h"
@@ -10,22 +10,30 @@
 
 namespace proxima {
 
+/// One primitive of a voxel's list.
+struct alignas(8) GridLink {
+    uint32_t primitive;
+    uint32_t next; ///< index of a GridLink, or no_link
+};
+inline constexpr uint32_t no_link = 0xffffffffu;
+
 template <class Real> struct GridView {
     Vec3<Real> lower{Real(0)};
     Vec3<Real> voxel{Real(1)}; ///< edge lengths
     Vec3<Real> inverse_voxel{Real(1)};
     Vec3<int32_t> size{0};
-    Real inflation = Real(0); ///< added to every radius on registration; covers all rounding of the walk and the tests
-    std::span<uint32_t> starts;     ///< list of slot s: references[starts[s] ... starts[s + 1])
-    std::span<uint32_t> references; ///< primitive ids, in no order
-    CloudView cloud;                ///< without bricks: every voxel has a slot of its own
+    Vec3<Real> end{Real(0)};   ///< the same as numbers: where the grid ends, in voxels
+    Real inflation = Real(0);  ///< added to every radius on registration; covers all rounding of the walk and the tests
+    std::span<uint32_t> heads; ///< of each slot's list: its first link, or no_link
+    std::span<GridLink> links; ///< in no order
+    CloudView cloud;           ///< without bricks: every voxel has a slot of its own
 
     HD bool in_use() const { return size.x > 0; }
     HD uint32_t cell_count() const { return uint32_t(size.x) * uint32_t(size.y) * uint32_t(size.z); }
     HD uint32_t index(int32_t x, int32_t y, int32_t z) const {
         return uint32_t(x) + uint32_t(size.x) * (uint32_t(y) + uint32_t(size.y) * uint32_t(z));
     }
-    /// Where a voxel's list stands in `starts`. With a cloud, its brick must be occupied.
+    /// Where a voxel's list stands in `heads`. With a cloud, its brick must be occupied.
     HD uint32_t slot(int32_t x, int32_t y, int32_t z) const {
         return cloud.in_use() ? cloud.slot(x, y, z) : index(x, y, z);
     }
@@ -45,6 +53,7 @@ template <class Real> HD GridView<Real> make_grid(const Box<Real>& bounds, const
     GridView<Real> grid;
     grid.lower = bounds.lower;
     grid.size = size;
+    grid.end = Vec3<Real>(size);
     grid.voxel = (bounds.upper - bounds.lower) / Vec3<Real>(size);
     grid.inverse_voxel = Vec3<Real>(size) / (bounds.upper - bounds.lower);
     // A walk strays from its ray by at most 3 * 2^-24 of the distance from the entry point (in float), a sphere test by

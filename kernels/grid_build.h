@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Building a frame's grid on the device. In order: how big the primitives are, which of them are too large for a grid,
-// the bounds of the others; then references are counted, summed up (by the backend) and filled in.
+// Building a frame's grid on the device. In order: how big the primitives are, which of them are too large for a grid
+// and the bounds of the others; which bricks are occupied, if there is to be a cloud; then the lists, in one pass.
 #pragma once
 #include "kernels/scene_view.h"
 
 namespace proxima {
 
-/// The mean size of the primitives in powers of two; integers, so that every order of summation agrees.
-struct SizeTotal {
+/// How big the primitives are and where they lie. The mean size is one in powers of two: of integers, so that every
+/// order of summation agrees.
+template <class Real> struct SizeTotal {
     int64_t exponents = 0;
-    uint64_t count = 0;
+    uint64_t count = 0; ///< primitives with a positive radius
+    Real largest = Real(0);
+    Box<Real> box{Vec3<Real>(infinity<Real>), Vec3<Real>(-infinity<Real>)};
 
     HD static SizeTotal combine(const SizeTotal& a, const SizeTotal& b) {
-        return {a.exponents + b.exponents, a.count + b.count};
+        return {a.exponents + b.exponents, a.count + b.count, larger(a.largest, b.largest), joined(a.box, b.box)};
     }
 };
 
@@ -20,9 +23,11 @@ struct SizeTotal {
 template <class Real> struct MeasureSize {
     GeometryView<Real> geometry;
 
-    HD SizeTotal operator()(uint32_t id) const {
-        const float radius = float(geometry.radius(id));
-        return radius > 0 ? SizeTotal{ilogbf(radius), 1} : SizeTotal{};
+    HD SizeTotal<Real> operator()(uint32_t id) const {
+        const Real radius = geometry.radius(id);
+        if (!(radius > 0))
+            return {};
+        return {ilogbf(float(radius)), 1, radius, geometry.box(id)};
     }
 };
 
@@ -33,12 +38,7 @@ template <class Real> struct BoundsTotal {
     uint32_t large = 0;
 
     HD static BoundsTotal combine(const BoundsTotal& a, const BoundsTotal& b) {
-        BoundsTotal sum{a.box, a.bounded + b.bounded, a.large + b.large};
-        for (int i = 0; i < 3; ++i) {
-            sum.box.lower[i] = smaller(a.box.lower[i], b.box.lower[i]);
-            sum.box.upper[i] = larger(a.box.upper[i], b.box.upper[i]);
-        }
-        return sum;
+        return {joined(a.box, b.box), a.bounded + b.bounded, a.large + b.large};
     }
 };
 
@@ -80,68 +80,79 @@ HD void for_each_cell_of(const GridView<Real>& grid, const GeometryView<Real>& g
         for_each_cell(grid, bounding_box(geometry.ellipsoid(id)), visit);
 }
 
-/// Primitive -> the bricks that it overlaps are occupied: their distance is 0.
+/// What the building of a grid counts. A builder that made room for fewer sees it here and comes again.
+struct GridCounts {
+    uint64_t links = 0;
+    uint64_t occupied = 0; ///< slots with a list
+    uint32_t bricks = 0;   ///< occupied ones of the cloud
+};
+
+/// Primitive -> the bricks that it overlaps are occupied: their distance is 0, and they get a rank and empty lists.
 template <class Real> struct MarkBricks {
-    GridView<Real> bricks;
+    static constexpr uint32_t no_rank = 0xffffffffu, claimed = 0xfffffffeu;
+
+    GridView<Real> grid; ///< with its cloud: ranks are no_rank, distances 255 at the start
     GeometryView<Real> geometry;
+    std::span<GridCounts> counts; ///< one
     std::span<uint8_t> distances;
 
     HD void operator()(uint32_t id) const {
-        uint8_t* occupied = distances.data();
-        for_each_cell_of(bricks, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
-            store_relaxed(&occupied[bricks.index(x, y, z)], uint8_t(0));
-        });
+        const GridView<Real> bricks = brick_grid(grid);
+        for_each_cell_of(bricks, geometry, id, [&](int32_t x, int32_t y, int32_t z) { occupy(bricks.index(x, y, z)); });
+    }
+
+private:
+    HD void occupy(uint32_t brick) const {
+        uint32_t* const place = &grid.cloud.ranks[brick];
+        if (load_relaxed(place) != no_rank || atomic_compare_exchange(place, no_rank, claimed) != no_rank)
+            return;
+        const uint32_t rank = atomic_add(&counts[0].bricks, 1);
+        store_relaxed(place, rank);
+        distances[brick] = 0;
+        const uint64_t voxels = 1u << (3 * grid.cloud.shift), first = rank * voxels;
+        if (first + voxels <= grid.heads.size())
+            for (uint64_t voxel = first; voxel < first + voxels; ++voxel)
+                grid.heads[voxel] = no_link;
     }
 };
 
-/// Brick -> 1 where it is occupied; the exclusive sum of these is CloudView::ranks.
-struct CountBricks {
-    std::span<const uint8_t> distances;
-    std::span<uint32_t> ranks;
-
-    HD void operator()(uint32_t brick) const { ranks[brick] = brick < distances.size() && distances[brick] == 0; }
-};
-
-/// Primitive -> counts[slot] grows by one for each voxel that lists it. counts are the grid's starts, shifted by one:
-/// after an exclusive sum they are where each list begins, and after FillReferences where it ends.
-template <class Real> struct CountReferences {
+/// Primitive -> the voxels that it overlaps; 0 behind the last one. Sums of these are where each one's links begin.
+template <class Real> struct CountLinks {
     GridView<Real> grid;
     GeometryView<Real> geometry;
+    std::span<uint32_t> links;
 
     HD void operator()(uint32_t id) const {
-        uint32_t* counts = grid.starts.data() + 1;
-        for_each_cell_of(grid, geometry, id,
-                         [&](int32_t x, int32_t y, int32_t z) { atomic_add(&counts[grid.slot(x, y, z)], 1); });
+        uint32_t count = 0;
+        if (id < geometry.round_count())
+            for_each_cell_of(grid, geometry, id, [&](int32_t, int32_t, int32_t) { ++count; });
+        links[id] = count;
     }
 };
 
-template <class Real> struct FillReferences {
+/// Primitive -> it becomes the first of the list of each voxel that it overlaps. The heads are no_link at the start.
+template <class Real> struct LinkPrimitives {
     GridView<Real> grid;
     GeometryView<Real> geometry;
+    std::span<const uint32_t> first_links; ///< of each primitive, and behind the last one
+    std::span<GridCounts> counts;          ///< one
 
     HD void operator()(uint32_t id) const {
-        uint32_t* ends = grid.starts.data() + 1;
+        uint32_t link = first_links[id], occupied = 0;
+        if (id + 1 == geometry.round_count())
+            counts[0].links = first_links[id + 1];
+        if (first_links[id + 1] > grid.links.size())
+            return;
         for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
-            grid.references[atomic_add(&ends[grid.slot(x, y, z)], 1)] = id;
+            const uint32_t slot = grid.slot(x, y, z);
+            if (slot >= grid.heads.size())
+                return; // there are more bricks than there is room for
+            const uint32_t next = atomic_exchange(&grid.heads[slot], link);
+            grid.links[link++] = {id, next};
+            occupied += next == no_link;
         });
+        count_up(&counts[0].occupied, occupied);
     }
-};
-
-/// What the counts add up to, in 64 bits.
-struct ReferenceTotal {
-    uint64_t references = 0;
-    uint64_t occupied = 0;
-
-    HD static ReferenceTotal combine(const ReferenceTotal& a, const ReferenceTotal& b) {
-        return {a.references + b.references, a.occupied + b.occupied};
-    }
-};
-
-/// Voxel -> its part of the ReferenceTotal.
-struct MeasureReferences {
-    std::span<const uint32_t> counts;
-
-    HD ReferenceTotal operator()(uint32_t voxel) const { return {counts[voxel], counts[voxel] != 0}; }
 };
 
 } // namespace proxima

@@ -50,24 +50,35 @@ template <class Real, class Path> HD BasedRay<Real> rebase(const SourcedRay<Path
     return based;
 }
 
-/// What a ray looks for: hits beyond `nearest` of the based origin.
+/// What a ray looks for: hits beyond `nearest` of the based origin. The primitive that the ray starts on is told apart
+/// by those who look, and only where a test finds something.
 template <class Real> struct Search {
     const SceneView<Real>& scene;
     const BasedRay<Real>& ray;
     Real nearest;
     uint32_t passed = no_primitive; ///< of the primitives with a greater id, a hit at `nearest` itself counts too
 
+    HD_INNER Real beyond(uint32_t id) const { return id > passed ? just_below(nearest) : nearest; }
+
     /// Distance from the based origin to a primitive, or infinity.
     HD_INNER Real distance_to(uint32_t id) const {
         const GeometryView<Real>& geometry = scene.geometry;
-        const Real beyond = id > passed ? just_below(nearest) : nearest;
-        if (id == ray.source.primitive)
-            return ray.source.exit > larger(beyond, -ray.offset) ? ray.source.exit : infinity<Real>;
         if (geometry.is_sphere(id))
-            return intersect(geometry.spheres[id], ray.ray, beyond, scene.limits.min_half_chord2);
+            return distance_to_sphere(id);
         if (geometry.is_plane(id))
-            return intersect(geometry.plane(id), ray.ray, beyond, scene.limits.min_cosine);
-        return intersect(geometry.ellipsoid(id), ray.ray, beyond, scene.limits.min_half_chord2);
+            return intersect(geometry.plane(id), ray.ray, beyond(id), scene.limits.min_cosine);
+        return intersect(geometry.ellipsoid(id), ray.ray, beyond(id), scene.limits.min_half_chord2);
+    }
+    HD_INNER Real distance_to_sphere(uint32_t id) const {
+        const Sphere<Real> sphere = scene.geometry.spheres[id];
+        return intersect(sphere, ray.ray, beyond(id), scene.limits.min_half_chord2);
+    }
+    /// The distance to the far side of the primitive that the ray starts on, or infinity.
+    HD Real distance_to_exit() const {
+        const RaySource<Real>& source = ray.source;
+        const bool counts =
+            source.primitive != no_primitive && source.exit > larger(beyond(source.primitive), -ray.offset);
+        return counts ? source.exit : infinity<Real>;
     }
     /// Whether a primitive's material has one of these bits of Material::flags.
     HD bool is_one_of(uint32_t flags, uint32_t id) const {
@@ -77,31 +88,63 @@ template <class Real> struct Search {
 };
 
 /// Keeps the nearest of the hits that it is shown.
-template <class Real> struct NearestHit {
-    Search<Real> search;
-    uint32_t hidden; ///< bits of Material::flags: leaves out materials with one of them
-    Hit<Real> best;
-
-    HD_INNER void meet(uint32_t id) {
-        const Real t = search.distance_to(id);
-        const bool ties = t == best.t && best.primitive != no_primitive && id < best.primitive;
-        if ((t < best.t || ties) && !(hidden && search.is_one_of(hidden, id)))
-            best = {t, id};
+template <class Real> class NearestHit {
+public:
+    /// `hidden`: bits of Material::flags; leaves out materials with one of them.
+    HD NearestHit(const Search<Real>& search, uint32_t hidden, Real farthest)
+        : search_(search), hidden_(hidden), best_{farthest, no_primitive} {
+        take(search.ray.source.primitive, search.distance_to_exit());
     }
-    HD_INNER bool is_done(Real reached) const { return best.t <= reached; }
+
+    /// True when nothing more needs to be met.
+    HD_INNER bool meet(uint32_t id) { return consider(id, search_.distance_to(id)); }
+    HD_INNER bool meet_sphere(uint32_t id) { return consider(id, search_.distance_to_sphere(id)); }
+    HD_INNER bool is_done(Real reached) const { return best_.t <= reached; }
+    HD const Hit<Real>& best() const { return best_; }
+
+private:
+    HD_INNER bool consider(uint32_t id, Real t) {
+        if (t <= best_.t && id != search_.ray.source.primitive)
+            take(id, t);
+        return false;
+    }
+    HD_INNER void take(uint32_t id, Real t) {
+        const bool ties = t == best_.t && best_.primitive != no_primitive && id < best_.primitive;
+        if ((t < best_.t || ties) && !(hidden_ && search_.is_one_of(hidden_, id)))
+            best_ = {t, id};
+    }
+
+    Search<Real> search_;
+    uint32_t hidden_;
+    Hit<Real> best_;
 };
 
 /// Stops at the first hit of a primitive that casts a shadow.
-template <class Real> struct AnyHit {
-    Search<Real> search;
-    Real farthest;
-    bool found = false;
-
-    HD_INNER void meet(uint32_t id) {
-        if (!found && search.distance_to(id) < farthest)
-            found = search.casts_shadow(id);
+template <class Real> class AnyHit {
+public:
+    HD AnyHit(const Search<Real>& search, Real farthest) : search_(search), farthest_(farthest) {
+        take(search.ray.source.primitive, search.distance_to_exit());
     }
-    HD_INNER bool is_done(Real reached) const { return found || farthest <= reached; }
+
+    HD_INNER bool meet(uint32_t id) { return consider(id, search_.distance_to(id)); }
+    HD_INNER bool meet_sphere(uint32_t id) { return consider(id, search_.distance_to_sphere(id)); }
+    HD_INNER bool is_done(Real reached) const { return found_ || farthest_ <= reached; }
+    HD bool found() const { return found_; }
+
+private:
+    HD_INNER bool consider(uint32_t id, Real t) {
+        if (t < farthest_ && id != search_.ray.source.primitive)
+            take(id, t);
+        return found_;
+    }
+    HD_INNER void take(uint32_t id, Real t) {
+        if (t < farthest_)
+            found_ = search_.casts_shadow(id);
+    }
+
+    Search<Real> search_;
+    Real farthest_;
+    bool found_ = false;
 };
 
 } // namespace proxima

@@ -27,12 +27,66 @@
 
 namespace proxima {
 
+/// a + b, or the largest number where that is too small; associative.
+HD constexpr uint32_t saturated_sum(uint32_t a, uint32_t b) {
+    return a + b < a ? 0xffffffffu : a + b;
+}
+
 /// Adds `value` to `*counter` atomically and returns what was there before.
 HD inline uint32_t atomic_add(uint32_t* counter, uint32_t value) {
 #if defined(__CUDA_ARCH__)
     return atomicAdd(counter, value);
 #else
     return __atomic_fetch_add(counter, value, __ATOMIC_RELAXED);
+#endif
+}
+
+HD inline uint64_t atomic_add(uint64_t* counter, uint64_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicAdd(reinterpret_cast<unsigned long long*>(counter), static_cast<unsigned long long>(value));
+#else
+    return __atomic_fetch_add(counter, value, __ATOMIC_RELAXED);
+#endif
+}
+
+/// Stores `value` atomically and returns what was there before.
+HD inline uint32_t atomic_exchange(uint32_t* place, uint32_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicExch(place, value);
+#else
+    return __atomic_exchange_n(place, value, __ATOMIC_RELAXED);
+#endif
+}
+
+/// Stores `value` atomically if `expected` was there; returns what was there before.
+HD inline uint32_t atomic_compare_exchange(uint32_t* place, uint32_t expected, uint32_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicCAS(place, expected, value);
+#else
+    __atomic_compare_exchange_n(place, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+    return expected;
+#endif
+}
+
+/// Adds to a counter that all threads add to at the same time: a warp adds as one.
+HD inline void count_up(uint64_t* counter, uint32_t amount) {
+#if defined(__CUDA_ARCH__)
+    const unsigned active = __activemask();
+    const uint32_t sum = __reduce_add_sync(active, amount);
+    if (threadIdx.x % 32 == unsigned(__ffs(int(active)) - 1) && sum > 0)
+        atomic_add(counter, uint64_t(sum));
+#else
+    if (amount > 0)
+        atomic_add(counter, uint64_t(amount));
+#endif
+}
+
+/// Reads a value that other threads may store at the same time.
+template <class T> HD T load_relaxed(const T* place) {
+#if defined(__CUDA_ARCH__)
+    return *reinterpret_cast<const volatile T*>(place);
+#else
+    return __atomic_load_n(place, __ATOMIC_RELAXED);
 #endif
 }
 

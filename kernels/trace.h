@@ -28,6 +28,7 @@ using PathPrecision = std::conditional_t<features == Features::opaque, Real, dou
 template <class Real, Features features> struct Tracer {
     static constexpr bool plain = features != Features::all;
     static constexpr bool transparent = !plain;
+    static constexpr bool ends = features == Features::opaque; ///< every path, at its first surface
     using Path = PathPrecision<Real, features>;
     using State = PathState<Real, Path>;
 
@@ -70,13 +71,13 @@ template <class Real, Features features> struct Tracer {
         const Surface<Path> surface = surface_at(scene, path.ray, based, hit);
         const Surface<Real> seen = surface.template rounded<Real>();
         Real ior = Real(1);
-        if constexpr (features != Features::opaque)
+        if constexpr (!ends)
             ior = far_over_near_ior(scene, interiors, surface.primitive);
         const LayerStack<Real, plain> layers{scene, seen, -glm::dot(direction, seen.normal), ior};
         sum += path.throughput * layers.glow();
         for (const Light<Real>& light : scene.lights)
             sum += path.throughput * light_from(light, surface, layers, direction);
-        if constexpr (features == Features::opaque)
+        if constexpr (ends)
             return false;
         else
             return go_on(path, surface, layers, hit, distance_passed(based, path.passed, hit));
@@ -112,13 +113,19 @@ template <class Real, Features features> struct Tracer {
             return arriving;
         if (light.shadowless)
             return layers.reflected(geometry, arriving, false);
-        if (plain || light.area == Light<Real>::no_area)
-            arriving *= light_arriving<transparent>(scene, surface, Vec3<Path>(ray.direction), ray.distance, interiors);
-        else if constexpr (!plain)
-            arriving *= area_light_arriving<transparent>(scene, light, surface, arriving, interiors, noise);
-        if (arriving == Vec3<Real>(Real(0)))
-            return arriving;
-        return layers.reflected(geometry, arriving, true);
+        if constexpr (!transparent) { // all of it or nothing, so that less needs to be kept while a shadow is looked
+                                      // for
+            const Vec3<Real> reflected = layers.reflected(geometry, arriving, true);
+            return is_shadowed(scene, surface, Vec3<Path>(ray.direction), ray.distance) ? Vec3<Real>(Real(0))
+                                                                                        : reflected;
+        } else {
+            arriving *= light.area == Light<Real>::no_area
+                            ? light_arriving(scene, surface, Vec3<Path>(ray.direction), ray.distance, interiors)
+                            : area_light_arriving(scene, light, surface, arriving, interiors, noise);
+            if (arriving == Vec3<Real>(Real(0)))
+                return arriving;
+            return layers.reflected(geometry, arriving, true);
+        }
     }
 
     /// The transmitted ray waits longest, so that at most one set of a surface's rays waits for each level of a path.
@@ -233,9 +240,6 @@ template <class Real, Features features> struct Tracer {
 
 /// One call per pixel of a wave: traces its samples and stores their sum.
 template <class Real, Features features> struct TracePixels {
-    /// Of 1 (110 registers), 8, 10 and 12 the fastest on an H100 for plain scenes in float: see tests/bench/NOTES.md.
-    static constexpr uint32_t blocks_together = features == Features::opaque && sizeof(Real) == 4 ? 10 : 1;
-
     SceneView<Real> scene;
     FilmView film;
     PendingView<Real, PathPrecision<Real, features>> pending; ///< for a wave's number of threads

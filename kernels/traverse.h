@@ -5,8 +5,8 @@
 
 namespace proxima {
 
-/// Shows a visitor every primitive that the ray may hit.
-template <class Real, class Visitor>
+/// Shows a visitor every primitive that the ray may hit. `shapes`: those that a grid holds.
+template <RoundShapes shapes, class Real, class Visitor>
 HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visitor& visitor) {
     const GeometryView<Real>& geometry = scene.geometry;
     const uint32_t round = geometry.round_count();
@@ -17,7 +17,7 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
     if (!ray.meets_bounds)
         return;
     if (scene.grid.in_use()) {
-        walk(scene.grid, ray.ray, visitor);
+        walk<shapes>(scene.grid, ray.ray, visitor);
         return;
     }
     for (uint32_t id = 0; id < round && !visitor.is_done(-infinity<Real>); ++id)
@@ -26,22 +26,22 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
 
 /// The nearest hit between `nearest` and `farthest` of the ray's origin. A ray that has `passed` a hit already goes on
 /// from there: the next hit in order, at least `nearest` further on.
-template <class Real>
+template <RoundShapes shapes = RoundShapes::all, class Real>
 HD Hit<Real> find_nearest(const SceneView<Real>& scene, const BasedRay<Real>& ray, const Hit<Real>& passed,
                           Real nearest, Real farthest, uint32_t hidden) {
     const bool goes_on = passed.primitive != no_primitive;
     const Search<Real> search{scene, ray, goes_on ? passed.t + nearest : nearest - ray.offset,
                               goes_on && nearest == 0 ? passed.primitive : no_primitive};
-    NearestHit<Real> visitor{search, hidden, {farthest - ray.offset, no_primitive}};
-    visit_all(scene, ray, visitor);
-    return visitor.best;
+    NearestHit<Real> visitor(search, hidden, farthest - ray.offset);
+    visit_all<shapes>(scene, ray, visitor);
+    return visitor.best();
 }
 
-template <class Real>
+template <RoundShapes shapes = RoundShapes::all, class Real>
 HD bool find_any(const SceneView<Real>& scene, const BasedRay<Real>& ray, Real nearest, Real farthest) {
-    AnyHit<Real> visitor{{scene, ray, nearest - ray.offset}, farthest - ray.offset};
-    visit_all(scene, ray, visitor);
-    return visitor.found;
+    AnyHit<Real> visitor({scene, ray, nearest - ray.offset}, farthest - ray.offset);
+    visit_all<shapes>(scene, ray, visitor);
+    return visitor.found();
 }
 
 /// Calls `visit(id)` for the bounded primitives that may hold a point, the large ones and the planes, each once.
@@ -66,9 +66,8 @@ HD void for_each_around(const SceneView<Real>& scene, const Vec3<Real>& point, c
     const Vec3<int32_t> cell = grid.cell_at(point);
     if (grid.cloud.in_use() && grid.cloud.distances[grid.cloud.brick(cell.x, cell.y, cell.z)] != 0)
         return;
-    const uint32_t slot = grid.slot(cell.x, cell.y, cell.z);
-    for (uint32_t r = grid.starts[slot]; r < grid.starts[slot + 1]; ++r)
-        visit(grid.references[r]);
+    for (uint32_t link = grid.heads[grid.slot(cell.x, cell.y, cell.z)]; link != no_link; link = grid.links[link].next)
+        visit(grid.links[link].primitive);
 }
 
 } // namespace proxima

@@ -13,7 +13,6 @@ template <class Real> struct GridWalk {
     Vec3<Real> origin; ///< in voxels
     Vec3<Real> speed;  ///< voxels per unit of distance
     Vec3<Real> inverse;
-    Vec3<Real> next; ///< distance to the plane through which the ray leaves its voxel along an axis
     Vec3<int32_t> cell;
     Real now = Real(0); ///< distance at which it entered its voxel
 
@@ -23,154 +22,158 @@ template <class Real> struct GridWalk {
         for (int i = 0; i < 3; ++i) {
             inverse[i] = Real(1) / speed[i];
             cell[i] = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
-            next[i] = leaving(i);
         }
     }
 
     HD_INNER bool upwards(int i) const { return !(speed[i] < 0); }
-    HD_INNER Real distance_to_plane(int i, int32_t plane) const {
-        return speed[i] == 0 ? infinity<Real> : (Real(plane) - origin[i]) * inverse[i];
-    }
-    HD_INNER Real leaving(int i) const { return distance_to_plane(i, upwards(i) ? cell[i] + 1 : cell[i]); }
-    HD_INNER Real leave() const { return smaller(smaller(next.x, next.y), next.z); }
     HD_INNER uint32_t octant() const {
         return uint32_t(upwards(0)) | uint32_t(upwards(1)) << 1 | uint32_t(upwards(2)) << 2;
     }
 
-    /// Into the neighbour; false at the end of the grid.
-    HD_INNER bool step_along(int i) {
-        cell[i] += upwards(i) ? 1 : -1;
-        now = next[i];
-        next[i] = leaving(i);
-        return uint32_t(cell[i]) < uint32_t(grid.size[i]);
-    }
-    HD_INNER bool step() {
-        const Real first = leave();
-        return first == next.x ? step_along(0) : first == next.y ? step_along(1) : step_along(2);
-    }
-
-    /// Over the brick that the ray is in and all that are less than `distance` bricks away.
-    HD bool leave_block(int32_t distance) {
-        const CloudView& cloud = grid.cloud;
-        Vec3<int32_t> plane;
+    /// Over the block of 2^shift voxels a side that the ray is in and all blocks less than `distance` away: by (0, 1)
+    /// into the next voxel. False at the end of the grid.
+    HD_INNER bool leave_block(int32_t shift, int32_t distance) {
+        int32_t plane[3];
+        Real at[3];
         for (int i = 0; i < 3; ++i) {
-            const int32_t brick = cell[i] >> cloud.shift;
-            plane[i] = (upwards(i) ? brick + distance : brick - distance + 1) * (1 << cloud.shift);
-            next[i] = distance_to_plane(i, plane[i]);
+            plane[i] = ((cell[i] >> shift) + (upwards(i) ? distance : 1 - distance)) << shift;
+            at[i] = speed[i] == 0 ? infinity<Real> : (Real(plane[i]) - origin[i]) * inverse[i];
         }
-        now = leave();
-        const int exit = now == next.x ? 0 : now == next.y ? 1 : 2;
+        now = smaller(smaller(at[0], at[1]), at[2]);
+        const bool exits[3] = {now == at[0], now != at[0] && now == at[1], now != at[0] && now != at[1]};
         bool inside = true;
         for (int i = 0; i < 3; ++i) {
-            if (i == exit)
-                cell[i] = upwards(i) ? plane[i] : plane[i] - 1;
-            else
-                cell[i] = upwards(i) ? reached(i, cell[i], plane[i] - 1) : reached(i, plane[i], cell[i]);
-            inside &= uint32_t(cell[i]) < uint32_t(grid.size[i]);
-            next[i] = leaving(i);
+            const int32_t next = upwards(i) ? plane[i] : plane[i] - 1; // the first voxel behind the plane
+            const int32_t low = upwards(i) ? cell[i] : next + 1, high = upwards(i) ? next - 1 : cell[i];
+            cell[i] = exits[i] ? next : reached(i, low, high);
+            inside = inside && uint32_t(cell[i]) < uint32_t(grid.size[i]);
         }
         return inside;
     }
 
-    /// To the distance `to`, which lies past the voxel.
-    HD bool go_to(Real to) {
-        now = to;
-        bool inside = true;
-        for (int i = 0; i < 3; ++i) {
-            cell[i] = upwards(i) ? reached(i, cell[i], grid.size[i]) : reached(i, -1, cell[i]);
-            inside &= uint32_t(cell[i]) < uint32_t(grid.size[i]);
-            next[i] = leaving(i);
-        }
-        return inside;
-    }
-
-    /// Over empty space by what the cloud says of the ray's brick, which is `distance` from an occupied one.
-    HD bool leap(int32_t distance) {
-        const Metric metric = grid.cloud.metric;
-        if (metric == Metric::chessboard || metric == Metric::octant)
-            return leave_block(distance);
+    /// Over empty space by a distance that does not count along the axes alone.
+    HD bool leap_by_length(int32_t distance) {
         const Vec3<Real> bricks = speed / Real(1 << grid.cloud.shift);
-        const Real pace = metric == Metric::euclidean ? glm::length(bricks)
-                                                      : magnitude(bricks.x) + magnitude(bricks.y) + magnitude(bricks.z);
-        const Real far = now + Real(distance - 1) / pace;
-        return distance > 1 && far > leave() ? go_to(far) : leave_block(1);
+        const Real pace = grid.cloud.metric == Metric::euclidean
+                              ? glm::length(bricks)
+                              : magnitude(bricks.x) + magnitude(bricks.y) + magnitude(bricks.z);
+        const Real before = now;
+        const Vec3<int32_t> from = cell;
+        const bool inside = leave_block(grid.cloud.shift, 1);
+        const Real far = before + Real(distance - 1) / pace;
+        if (distance < 2 || !(far > now))
+            return inside; // a block at a time always gets on
+        now = far;
+        bool still_inside = true;
+        for (int i = 0; i < 3; ++i) {
+            cell[i] = upwards(i) ? reached(i, from[i], grid.size[i]) : reached(i, -1, from[i]);
+            still_inside = still_inside && uint32_t(cell[i]) < uint32_t(grid.size[i]);
+        }
+        return still_inside;
     }
 
 private:
     /// The voxel of the ray's place now, between two bounds.
     HD_INNER int32_t reached(int i, int32_t low, int32_t high) const {
-        const Real at = clamped(round_down(origin[i] + speed[i] * now), Real(low), Real(high));
-        return int32_t(at);
+        return int32_t(clamped(round_down(origin[i] + speed[i] * now), Real(low), Real(high)));
     }
 };
 
-template <class Real, class Visitor>
-HD_INNER void meet_list(const GridView<Real>& grid, uint32_t slot, Visitor& visitor) {
-    const uint32_t end = grid.starts[slot + 1];
-    for (uint32_t r = grid.starts[slot]; r < end; ++r)
-        visitor.meet(grid.references[r]);
+/// What the lists of a grid hold. Kernels for scenes of spheres alone need not ask each primitive what it is.
+enum class RoundShapes { spheres, all };
+
+/// Shows a visitor the primitive of a link and goes to the next; true when the visitor has seen enough.
+template <RoundShapes shapes, class Real, class Visitor>
+HD_INNER bool meet_link(const GridView<Real>& grid, uint32_t& link, Visitor& visitor) {
+    const GridLink current = grid.links[link];
+    link = current.next;
+    return shapes == RoundShapes::spheres ? visitor.meet_sphere(current.primitive) : visitor.meet(current.primitive);
 }
 
-/// Where every voxel has a list. In arrays of its own: one place for both loops costs the cloud a third of its speed on
-/// an H100, by the registers that the compiler then spills.
-template <class Real, class Visitor>
+/// Where every voxel has a list. Each turn of the loop meets one primitive, after a step where a list has ended: the
+/// threads of a warp, whose lists are not equally long, then wait for each other least. In arrays of its own: one place
+/// for both loops costs the cloud a third of its speed on an H100, by the registers that the compiler then spills.
+template <RoundShapes shapes, class Real, class Visitor>
 HD void walk_grid(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
     const Vec3<Real> origin = (ray.origin - grid.lower) * grid.inverse_voxel; // in voxels
-    int32_t cell[3], step[3], last[3];
     const int32_t stride[3] = {1, grid.size.x, grid.size.x * grid.size.y};
-    Real inverse[3], next[3];
+    Real inverse[3], plane[3]; // planes are whole numbers: those through which the ray leaves its voxel
+    uint32_t voxel = 0;
     for (int i = 0; i < 3; ++i) {
-        const Real speed = ray.direction[i] * grid.inverse_voxel[i];
-        cell[i] = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
-        step[i] = speed < 0 ? -1 : 1;
-        last[i] = speed < 0 ? 0 : grid.size[i] - 1;
-        inverse[i] = Real(1) / speed;
-        next[i] = speed == 0 ? infinity<Real> : (Real(cell[i] + (step[i] > 0)) - origin[i]) * inverse[i];
+        const int32_t cell = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
+        inverse[i] = Real(1) / (ray.direction[i] * grid.inverse_voxel[i]);
+        const bool stands = magnitude(inverse[i]) == infinity<Real>;
+        inverse[i] = stands ? infinity<Real> : inverse[i];
+        plane[i] = stands ? infinity<Real> : Real(cell + (inverse[i] > 0));
+        voxel += uint32_t(cell * stride[i]);
     }
-    uint32_t voxel = grid.index(cell[0], cell[1], cell[2]);
-    const auto step_along = [&](int i) {
-        if (cell[i] == last[i])
-            return false;
-        cell[i] += step[i];
-        voxel += uint32_t(step[i] * stride[i]);
-        next[i] = (Real(cell[i] + (step[i] > 0)) - origin[i]) * inverse[i];
-        return true;
-    };
-    for (bool inside = true; inside;) {
-        meet_list(grid, voxel, visitor);
-        const Real leave = smaller(smaller(next[0], next[1]), next[2]);
-        if (visitor.is_done(leave))
+    uint32_t link = grid.heads[voxel];
+    for (;;) {
+        if (link == no_link) {
+            const Real x = (plane[0] - origin.x) * inverse[0];
+            const Real y = (plane[1] - origin.y) * inverse[1];
+            const Real z = (plane[2] - origin.z) * inverse[2];
+            const Real leave = smaller(smaller(x, y), z);
+            if (visitor.is_done(leave))
+                return;
+            // Without branches, which threads that go different ways would take one after the other.
+            const bool along_x = leave == x, along_y = !along_x && leave == y, along_z = !along_x && !along_y;
+            const bool upwards = (along_x ? inverse[0] : along_y ? inverse[1] : inverse[2]) > 0;
+            const Real last = along_x ? grid.end.x : along_y ? grid.end.y : grid.end.z;
+            if ((along_x ? plane[0] : along_y ? plane[1] : plane[2]) == (upwards ? last : Real(0)))
+                return;
+            const Real step = upwards ? Real(1) : Real(-1);
+            plane[0] += along_x ? step : Real(0);
+            plane[1] += along_y ? step : Real(0);
+            plane[2] += along_z ? step : Real(0);
+            const int32_t way = along_x ? stride[0] : along_y ? stride[1] : stride[2];
+            voxel += uint32_t(upwards ? way : -way);
+            link = grid.heads[voxel];
+        }
+        if (link != no_link && meet_link<shapes>(grid, link, visitor))
             return;
-        inside = leave == next[0] ? step_along(0) : leave == next[1] ? step_along(1) : step_along(2);
     }
 }
 
+/// What a metric's distances count: bricks along the axes, or the length of the way.
+enum class LeapKind { by_blocks, by_length };
+
 /// Where empty bricks say how far the ray may leap.
-template <class Real, class Visitor>
+template <RoundShapes shapes, LeapKind leap, class Real, class Visitor>
 HD void walk_cloud(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
     GridWalk<Real> place(grid, ray);
     const CloudView& cloud = grid.cloud;
     const uint8_t* distances = cloud.distances.data();
     if (cloud.metric == Metric::octant)
         distances += place.octant() * size_t(cloud.brick_count());
+    uint32_t link = no_link;
+    int32_t distance = 0; // of the brick: 0 where it is occupied
     for (bool inside = true; inside;) {
         const uint32_t brick = cloud.brick(place.cell.x, place.cell.y, place.cell.z);
-        if (const int32_t distance = distances[brick]; distance > 0) {
-            inside = place.leap(distance) && !visitor.is_done(place.now);
-            continue;
-        }
-        meet_list(grid, cloud.ranks[brick] << (3 * cloud.shift) | cloud.place(place.cell.x, place.cell.y, place.cell.z),
-                  visitor);
-        inside = !visitor.is_done(place.leave()) && place.step();
+        distance = distances[brick];
+        if (distance == 0)
+            link = grid.heads[cloud.ranks[brick] << (3 * cloud.shift) |
+                              cloud.place(place.cell.x, place.cell.y, place.cell.z)];
+        while (link != no_link)
+            if (meet_link<shapes>(grid, link, visitor))
+                return;
+        // One piece of code for steps and leaps: threads of a warp do either at the same time.
+        if (leap == LeapKind::by_length && distance > 0)
+            inside = place.leap_by_length(distance);
+        else
+            inside = place.leave_block(distance > 0 ? cloud.shift : 0, larger(distance, 1));
+        inside = inside && !visitor.is_done(place.now);
     }
 }
 
 /// Shows a visitor the lists of the voxels along a ray, in order, until it is done.
-template <class Real, class Visitor> HD void walk(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
-    if (grid.cloud.in_use())
-        walk_cloud(grid, ray, visitor);
-    else
-        walk_grid(grid, ray, visitor);
+template <RoundShapes shapes, class Real, class Visitor>
+HD void walk(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
+    if (!grid.cloud.in_use())
+        return walk_grid<shapes>(grid, ray, visitor);
+    if (grid.cloud.metric == Metric::city_block || grid.cloud.metric == Metric::euclidean)
+        return walk_cloud<shapes, LeapKind::by_length>(grid, ray, visitor);
+    walk_cloud<shapes, LeapKind::by_blocks>(grid, ray, visitor);
 }
 
 } // namespace proxima

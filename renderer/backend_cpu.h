@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The CPU backend: a device's verbs (for_each, exclusive_scan, reduce) and its buffers, by oneTBB on the host's cores.
 #pragma once
+#include "kernels/platform.h"
 #include "renderer/device_error.h"
 #include "renderer/memory_meter.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -27,11 +29,14 @@ public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
     static constexpr uint32_t fewest_for_cloud = 5'000; ///< primitives
+    static constexpr bool is_immediate = true;          ///< a verb is done when it returns
 
     /// `threads` 0 is one for each core that the process may use; there are never more.
     explicit CpuBackend(unsigned threads = 0) : arena_(usable(threads)) {}
 
     template <class T> class Buffer;
+    template <class T> class Receipt;
+    class Moment;
 
     std::string name() const { return "cpu"; }
     MemoryMeter& memory() { return memory_; }
@@ -72,8 +77,12 @@ public:
         });
     }
 
-    /// Replaces each number by the sum of those before it.
+    /// Replaces each number by the sum of those before it, or by the largest number where that is too small.
     void exclusive_scan(std::span<uint32_t> numbers);
+    /// As reduce, into out[0].
+    template <class T, class Kernel> void reduce_into(Buffer<T>& out, uint32_t count, const Kernel& kernel) {
+        out.view()[0] = reduce<T>(count, kernel);
+    }
 
 private:
     static int usable(unsigned threads) {
@@ -158,17 +167,41 @@ inline void CpuBackend::exclusive_scan(std::span<uint32_t> numbers) {
     for_each_block([&](uint32_t b) {
         uint32_t sum = 0;
         for (const uint32_t n : part(b))
-            sum += n;
+            sum = saturated_sum(sum, n);
         sums[b] = sum;
     });
     uint32_t before = 0;
     for (uint32_t& sum : sums)
-        before += std::exchange(sum, before);
+        before = saturated_sum(before, std::exchange(sum, before));
     for_each_block([&](uint32_t b) {
         uint32_t sum = sums[b];
         for (uint32_t& n : part(b))
-            sum += std::exchange(n, sum);
+            sum = saturated_sum(sum, std::exchange(n, sum));
     });
 }
+
+/// A moment between two verbs.
+class CpuBackend::Moment {
+public:
+    explicit Moment(CpuBackend&) {}
+    void record() { time_ = std::chrono::steady_clock::now(); }
+    double milliseconds_since(const Moment& other) const {
+        return std::chrono::duration<double, std::milli>(time_ - other.time_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point time_;
+};
+
+/// The first element of a buffer on its way to the host: there after the next synchronize().
+template <class T> class CpuBackend::Receipt {
+public:
+    explicit Receipt(CpuBackend&) {}
+    void request(const Buffer<T>& from) { value_ = from.read(0); }
+    const T& value() const { return value_; }
+
+private:
+    T value_{};
+};
 
 } // namespace proxima

@@ -2,6 +2,7 @@
 // The CUDA backend: a device's verbs (for_each, exclusive_scan, reduce) and its buffers, on one stream of one GPU, by
 // CUDA and CUB. The only place that starts kernels.
 #pragma once
+#include "kernels/platform.h"
 #include "renderer/cuda_check.h"
 #include "renderer/memory_meter.h"
 
@@ -40,15 +41,23 @@ template <class T> struct Combine {
     __host__ __device__ T operator()(const T& a, const T& b) const { return T::combine(a, b); }
 };
 
+struct SaturatedSum {
+    __host__ __device__ uint32_t operator()(uint32_t a, uint32_t b) const { return saturated_sum(a, b); }
+};
+
 class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
     static constexpr uint32_t fewest_for_cloud = 50'000; ///< primitives; with fewer, launches cost more than steps
+    static constexpr bool is_immediate = false;          ///< verbs are done after the next synchronize()
 
     explicit CudaBackend(int ordinal = 0)
-        : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this) {}
+        : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this),
+          result_(*this) {}
 
     template <class T> class Buffer;
+    template <class T> class Receipt;
+    class Moment;
 
     std::string name() const { return "cuda:" + std::to_string(ordinal_); }
     MemoryMeter& memory() { return memory_; }
@@ -81,11 +90,17 @@ public:
     /// static combine(a, b) is associative.
     template <class T, class Kernel> T reduce(uint32_t count, const Kernel& kernel);
 
-    /// Replaces each number by the sum of those before it.
+    /// Replaces each number by the sum of those before it, or by the largest number where that is too small.
     void exclusive_scan(std::span<uint32_t> numbers);
+    /// As reduce, into out[0], without waiting.
+    template <class T, class Kernel> void reduce_into(Buffer<T>& out, uint32_t count, const Kernel& kernel) {
+        reduce_to(out.data(), count, kernel);
+    }
 
 private:
-    static constexpr size_t staging_bytes = 4u << 20;
+    static constexpr size_t staging_bytes = 4u << 20, result_bytes = 256;
+
+    template <class T, class Kernel> void reduce_to(T* result, uint32_t count, const Kernel& kernel);
 
     struct StreamDeleter {
         using pointer = cudaStream_t;
@@ -144,7 +159,8 @@ private:
     MemoryMeter memory_;
     Stream stream_;
     Pinned staging_;     ///< uploads are converted here; reductions arrive here
-    ByteBuffer scratch_; ///< CUB's temporary storage, after a reduction's result
+    ByteBuffer scratch_; ///< CUB's temporary storage
+    ByteBuffer result_;  ///< of a reduction
 };
 
 /// Device memory that keeps its capacity when it shrinks. Its contents are lost when it grows.
@@ -196,6 +212,7 @@ public:
     uint64_t bytes() const { return bytes_.capacity(); }
 
 private:
+    friend CudaBackend;
     T* data() const { return static_cast<T*>(bytes_.data()); }
     cudaStream_t stream() const { return backend_->stream_.get(); }
 
@@ -204,22 +221,60 @@ private:
     size_t size_ = 0;
 };
 
-template <class T, class Kernel> T CudaBackend::reduce(uint32_t count, const Kernel& kernel) {
-    if (count == 0)
-        return T{};
-    constexpr size_t result_bytes = 256; // keeps CUB's storage aligned
-    static_assert(sizeof(T) <= result_bytes);
+/// A moment between two verbs, as the device passes it. Read after a synchronize().
+class CudaBackend::Moment {
+public:
+    explicit Moment(CudaBackend& backend) : backend_(&backend) { cuda_check(cudaEventCreate(&event_)); }
+    Moment(const Moment&) = delete;
+    Moment& operator=(const Moment&) = delete;
+    ~Moment() { cudaEventDestroy(event_); }
+    void record() { cuda_check(cudaEventRecord(event_, backend_->stream_.get())); }
+    double milliseconds_since(const Moment& other) const {
+        float milliseconds = 0;
+        cuda_check(cudaEventElapsedTime(&milliseconds, other.event_, event_));
+        return milliseconds;
+    }
+
+private:
+    CudaBackend* backend_;
+    cudaEvent_t event_ = nullptr;
+};
+
+/// The first element of a buffer on its way to the host: there after the next synchronize().
+template <class T> class CudaBackend::Receipt {
+public:
+    explicit Receipt(CudaBackend& backend) : backend_(&backend), memory_(make_pinned(sizeof(T))) {
+        new (memory_.get()) T{};
+    }
+    void request(const Buffer<T>& from) {
+        cuda_check(
+            cudaMemcpyAsync(memory_.get(), from.data(), sizeof(T), cudaMemcpyDeviceToHost, backend_->stream_.get()));
+    }
+    const T& value() const { return *reinterpret_cast<const T*>(memory_.get()); }
+
+private:
+    CudaBackend* backend_;
+    Pinned memory_;
+};
+
+template <class T, class Kernel> void CudaBackend::reduce_to(T* result, uint32_t count, const Kernel& kernel) {
     size_t bytes = 0;
-    const auto run = [&](void* storage, T* result) {
+    const auto run = [&](void* storage) {
         cuda_check(cub::DeviceReduce::TransformReduce(storage, bytes, thrust::counting_iterator<uint32_t>(0), result,
                                                       count, Combine<T>{}, kernel, T{}, stream_.get()));
     };
-    run(nullptr, nullptr);
-    scratch_.reserve(result_bytes + bytes);
-    std::byte* storage = static_cast<std::byte*>(scratch_.data());
-    T* result = reinterpret_cast<T*>(storage);
-    run(storage + result_bytes, result);
-    cuda_check(cudaMemcpyAsync(staging_.get(), result, sizeof(T), cudaMemcpyDeviceToHost, stream_.get()));
+    run(nullptr);
+    scratch_.reserve(bytes);
+    run(scratch_.data());
+}
+
+template <class T, class Kernel> T CudaBackend::reduce(uint32_t count, const Kernel& kernel) {
+    if (count == 0)
+        return T{};
+    static_assert(sizeof(T) <= result_bytes);
+    result_.reserve(result_bytes);
+    reduce_to(static_cast<T*>(result_.data()), count, kernel);
+    cuda_check(cudaMemcpyAsync(staging_.get(), result_.data(), sizeof(T), cudaMemcpyDeviceToHost, stream_.get()));
     synchronize();
     return *reinterpret_cast<const T*>(staging_.get());
 }
@@ -227,8 +282,8 @@ template <class T, class Kernel> T CudaBackend::reduce(uint32_t count, const Ker
 inline void CudaBackend::exclusive_scan(std::span<uint32_t> numbers) {
     size_t bytes = 0;
     const auto run = [&](void* storage) {
-        cuda_check(cub::DeviceScan::ExclusiveSum(storage, bytes, numbers.data(), numbers.data(), numbers.size(),
-                                                 stream_.get()));
+        cuda_check(cub::DeviceScan::ExclusiveScan(storage, bytes, numbers.data(), numbers.data(), SaturatedSum{},
+                                                  uint32_t(0), numbers.size(), stream_.get()));
     };
     run(nullptr);
     scratch_.reserve(bytes);

@@ -3,6 +3,7 @@
 #pragma once
 #include "kernels/grid_build.h"
 #include "kernels/scene_view.h"
+#include "kernels/first_hit.h"
 #include "kernels/trace.h"
 #include "parser/scene_program.h"
 #include "renderer/device_motion.h"

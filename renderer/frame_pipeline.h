@@ -7,6 +7,7 @@
 #include "renderer/device_scene.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_builder.h"
+#include "renderer/step_clock.h"
 
 #include <optional>
 
@@ -16,19 +17,21 @@ template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
         : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend), sum_(backend),
-          pending_states_(backend), pending_interiors_(backend), overflows_(backend),
-          choice_(Backend::fewest_for_cloud) {}
+          pending_states_(backend), pending_interiors_(backend), overflows_(backend), hits_(backend), shadows_(backend),
+          choice_(Backend::fewest_for_cloud), clock_(backend) {}
 
     void set_scene(const SceneProgram& program) {
         scene_.upload(program);
         moved_to_.reset();
         built_for_.reset();
+        grid_.forget();
     }
 
     /// The scene at each of `times`, and their mean; as it was evaluated without any.
     FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, StepWatch* watch,
                            Image& image) {
         watch_ = watch;
+        clock_.clear();
         try {
             return render(settings, times, image);
         } catch (const DeviceError& error) {
@@ -52,27 +55,43 @@ private:
             sum_.resize(film.pixels.size());
         for (uint32_t exposure = 0; exposure < exposures; ++exposure) {
             if (!times.empty())
-                move(times[exposure], statistics);
+                move(times[exposure]);
             expose(settings, film, statistics);
             if (exposures > 1)
                 backend_.for_each(uint32_t(film.pixels.size()),
                                   AverageExposures{film.pixels, sum_.view(), exposure, exposures});
         }
-        backend_.synchronize();
         if (scene_.take_motion_failure())
             throw MotionUndefined("a sphere");
-        step(FrameStep::read_back, statistics.readback_ms, [&] { read_back(film, image); });
+        step(FrameStep::read_back, [&] { read_back(film, image); });
+        finish_steps(statistics);
         statistics.peak_device_bytes = backend_.memory().peak();
         return statistics;
     }
 
-    /// Takes a step to its end on the device.
-    template <class Work> void step(FrameStep step, double& total, const Work& work) {
-        take_step(watch_, step, total, [&] {
-            work();
-            backend_.synchronize();
+    /// Gives the device what belongs to a step; finish_steps() waits.
+    template <class Work> void step(FrameStep step, const Work& work) {
+        if (watch_)
+            watch_->begin(step);
+        clock_.step(step, work);
+        if (Backend::is_immediate)
+            end_if_cancelled();
+    }
+    void finish_steps(FrameStatistics& statistics) {
+        backend_.synchronize();
+        clock_.settle([&](FrameStep step, StepWatch::Time begin, StepWatch::Time end) {
+            milliseconds_of(statistics, step) += std::chrono::duration<double, std::milli>(end - begin).count();
+            if (watch_)
+                watch_->end(step, begin, end);
         });
         end_if_cancelled();
+    }
+    static double& milliseconds_of(FrameStatistics& statistics, FrameStep step) {
+        return step == FrameStep::motion  ? statistics.motion_ms
+               : step == FrameStep::build ? statistics.build_ms
+               : step == FrameStep::map   ? statistics.cloud_ms
+               : step == FrameStep::trace ? statistics.trace_ms
+                                          : statistics.readback_ms;
     }
     void end_if_cancelled() {
         if (backend_.is_cancelled())
@@ -80,48 +99,50 @@ private:
     }
 
     /// Everything that follows from the time, to where it is then.
-    void move(const MotionTime& time, FrameStatistics& statistics) {
+    void move(const MotionTime& time) {
         if (!scene_.moves() || moved_to_ == time)
             return;
         built_for_.reset();
         moved_to_ = time;
-        step(FrameStep::motion, statistics.motion_ms, [&] {
+        step(FrameStep::motion, [&] {
             if (!scene_.move(time))
                 throw MotionUndefined("a number of the scene");
         });
     }
 
-    /// One moment of the scene, in linear light.
+    /// One moment of the scene, in linear light. The device builds and traces without being waited for; should the
+    /// grid have been given too little room, which is told at the end, it does so once more.
     void expose(const FrameSettings& settings, const FilmView& film, FrameStatistics& statistics) {
         const FrameSettings whole = settings.with_rows({});
-        if (settings.rows.count > 0 && built_for_ == whole) {
-            statistics = built_statistics_;
-        } else {
-            built_for_.reset();
-            build(whole, statistics);
-            built_for_ = whole;
-            built_statistics_ = statistics;
-            built_statistics_.motion_ms = built_statistics_.build_ms = built_statistics_.cloud_ms = 0;
-        }
-        step(FrameStep::trace, statistics.trace_ms, [&] {
-            trace(built_, film, settings.antialiasing);
-            backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
-        });
+        bool is_new = settings.rows.count == 0 || built_for_ != whole;
+        built_for_.reset();
+        do {
+            if (is_new)
+                build(whole);
+            step(FrameStep::trace, [&] {
+                trace(built_, film, settings.antialiasing);
+                backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
+            });
+            finish_steps(statistics);
+            is_new = built_.grid.in_use() && !grid_.is_complete();
+        } while (is_new);
+        built_for_ = whole;
+        grid_.report(built_.grid, statistics);
+        statistics.method = built_.grid.cloud.in_use() ? "cloud" : built_.grid.in_use() ? "grid" : "brute";
     }
 
     /// The scene's grid, and its cloud if it is to have one.
-    void build(const FrameSettings& settings, FrameStatistics& statistics) {
+    void build(const FrameSettings& settings) {
         built_ = scene_.view();
         if (settings.tolerances == Tolerances::povray)
             built_.limits = HitLimits<Real>::povray();
-        step(FrameStep::build, statistics.build_ms, [&] {
+        step(FrameStep::build, [&] {
             grid_.find_bounds(built_.geometry);
             if (uses_grid(settings, built_))
-                build_grid(settings, built_, statistics);
+                build_grid(settings, built_);
         });
         if (built_.grid.cloud.in_use())
-            step(FrameStep::map, statistics.cloud_ms, [&] { grid_.build_distances(built_, statistics); });
-        statistics.method = built_.grid.cloud.in_use() ? "cloud" : built_.grid.in_use() ? "grid" : "brute";
+            step(FrameStep::map, [&] { grid_.build_distances(built_); });
     }
 
     FilmView make_film(const FrameSettings& settings) {
@@ -146,6 +167,8 @@ private:
         built_for_.reset();
         film_.free();
         sum_.free();
+        hits_.free();
+        shadows_.free();
         pending_states_.free();
         pending_interiors_.free();
         antialiaser_.free();
@@ -159,8 +182,8 @@ private:
     }
 
     /// A grid, or a cloud over a finer one: as asked for, or by what is found in between the primitives. A size that
-    /// is asked for is a grid's unless a cloud is, too.
-    void build_grid(const FrameSettings& settings, SceneView<Real>& scene, FrameStatistics& statistics) {
+    /// is asked for is a grid's unless a cloud is, too. The cloud's distances are measured later.
+    void build_grid(const FrameSettings& settings, SceneView<Real>& scene) {
         const GridPlan cloud{.size = settings.grid,
                              .voxels_per_primitive = 32,
                              .brick = settings.brick ? settings.brick : 4,
@@ -169,7 +192,7 @@ private:
         if (chooses && choice_.is_due(scene.geometry.round_count()))
             choice_.report(grid_.mean_distance(scene, cloud));
         const bool uses_cloud = settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud());
-        grid_.build(scene, uses_cloud ? cloud : GridPlan{.size = settings.grid}, statistics);
+        grid_.build(scene, uses_cloud ? cloud : GridPlan{.size = settings.grid});
     }
 
     void trace(const SceneView<Real>& scene, const FilmView& film, const Antialiasing& antialiasing) {
@@ -188,6 +211,9 @@ private:
     void trace_features(const SceneView<Real>& scene, const FilmView& film) {
         switch (scene_.needs().features) {
         case Features::opaque:
+            if (sizeof(Real) == sizeof(float) && scene.lights.size() <= FirstHitPass<Real>::most_lights)
+                return scene.geometry.ellipsoids.empty() ? trace_first_hits<RoundShapes::spheres>(scene, film)
+                                                         : trace_first_hits<RoundShapes::all>(scene, film);
             return trace_waves<Features::opaque>(scene, film);
         case Features::mirrors:
             return trace_waves<Features::mirrors>(scene, film);
@@ -213,13 +239,36 @@ private:
         }
     }
 
+    /// The same for scenes whose paths end at their first surface.
+    template <RoundShapes shapes> void trace_first_hits(const SceneView<Real>& scene, const FilmView& film) {
+        const uint64_t pixels = tiled_pixel_count(film.width, film.height);
+        const uint32_t wave = wave_size(pixels, 1);
+        hits_.resize(wave);
+        shadows_.resize(wave);
+        FirstHitPass<Real> pass{scene, film, hits_.view(), shadows_.view()};
+        for (; pass.first < pixels; pass.first += wave) {
+            const uint32_t count = uint32_t(std::min<uint64_t>(wave, pixels - pass.first));
+            for (pass.sample = 0; pass.sample < film.samples; ++pass.sample) {
+                backend_.for_each(count, FindFirstHits<Real, shapes>{pass});
+                backend_.for_each(count, FindShadows<Real, shapes>{pass});
+                backend_.for_each(count, ShadeFirstHits<Real>{pass});
+            }
+            if (wave < pixels) {
+                backend_.synchronize();
+                end_if_cancelled();
+            }
+        }
+    }
+
     uint32_t wave_size(uint64_t pixels, uint32_t samples) const {
         const SceneNeeds& needs = scene_.needs();
         const uint64_t most = std::max<uint64_t>((1u << 30) / samples, 1u << 18); // a wave can be waited for
+        if (needs.stack_entries == 0)
+            return uint32_t(std::min(pixels, most));
         const uint64_t entry = sizeof(WaitingPath) + sizeof(uint32_t) * needs.interior_capacity;
         const uint64_t stack = entry * needs.stack_entries;
         const uint64_t memory = std::min(Backend::stack_memory, backend_.available_memory() / 4);
-        const uint64_t fitting = stack ? std::max<uint64_t>(memory / stack / 1024 * 1024, 1024) : most;
+        const uint64_t fitting = std::max<uint64_t>(memory / stack / 1024 * 1024, 1024);
         return uint32_t(std::min({pixels, fitting, most}));
     }
 
@@ -237,7 +286,6 @@ private:
     }
 
     void check_overflow() {
-        backend_.synchronize();
         if (scene_.needs().features == Features::all && overflows_.read(0) > 0)
             throw DeviceError(DeviceError::Kind::scene, "a ray is inside more than " +
                                                             std::to_string(InteriorList::capacity) +
@@ -259,12 +307,14 @@ private:
     Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;
     Buffer<uint32_t> overflows_;
+    Buffer<Hit<Real>> hits_;
+    Buffer<uint32_t> shadows_;
     CloudChoice choice_;
     StepWatch* watch_ = nullptr;
+    StepClock<Backend> clock_;
     std::optional<MotionTime> moved_to_;     ///< none: the time of the script's evaluation
     SceneView<Real> built_;                  ///< the scene at that time, with its grid
     std::optional<FrameSettings> built_for_; ///< of all rows
-    FrameStatistics built_statistics_;
 };
 
 } // namespace proxima

@@ -25,8 +25,14 @@ struct GridPlan {
 template <class Backend, class Real> class GridBuilder {
 public:
     explicit GridBuilder(Backend& backend)
-        : backend_(backend), cloud_(backend), starts_(backend), references_(backend), large_(backend),
-          large_count_(backend) {}
+        : backend_(backend), cloud_(backend), heads_(backend), first_links_(backend), links_(backend), large_(backend),
+          large_count_(backend), counts_(backend), seen_counts_(backend) {}
+
+    /// What is known of the lists' lengths is of another scene.
+    void forget() {
+        has_seen_ = false;
+        most_voxels_ = GridRule{}.most_voxels;
+    }
 
     /// Sets apart what is much larger than the rest, so that a ground sphere does not blow up the grid: what exceeds 32
     /// times the geometric mean of all radii, but never more than `most_large`, since every ray tests them. The rule
@@ -34,15 +40,17 @@ public:
     void find_bounds(GeometryView<Real>& geometry) {
         bounded_ = 0;
         const uint32_t count = geometry.round_count();
-        const SizeTotal size = backend_.template reduce<SizeTotal>(count, MeasureSize<Real>{geometry});
+        const auto size = backend_.template reduce<SizeTotal<Real>>(count, MeasureSize<Real>{geometry});
         if (size.count == 0)
             return;
         int exponent = int(std::lround(double(size.exponents) / double(size.count))) + 5;
-        BoundsTotal<Real> total;
-        do {
-            geometry.large_radius = std::ldexp(Real(1), exponent++);
-            total = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
-        } while (total.large > most_large);
+        geometry.large_radius = std::ldexp(Real(1), exponent);
+        BoundsTotal<Real> total{size.box, uint32_t(size.count)};
+        if (size.largest > geometry.large_radius)
+            do {
+                geometry.large_radius = std::ldexp(Real(1), exponent++);
+                total = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
+            } while (total.large > most_large);
         if (total.large > 0)
             list_large(geometry, total.large);
         if (total.bounded > 0)
@@ -50,66 +58,67 @@ public:
         bounded_ = total.bounded;
     }
 
-    /// Makes scene.grid as `plan` has it, or coarser where there is not memory enough.
-    void build(SceneView<Real>& scene, const GridPlan& plan, FrameStatistics& statistics) {
+    /// Starts to make scene.grid as `plan` has it, or coarser where there is not memory enough. Room is made for lists
+    /// as long as those that were seen last; whether that was enough, is_complete() tells.
+    void build(SceneView<Real>& scene, const GridPlan& plan) {
         if (bounded_ == 0)
             return;
-        const Box<Real>& bounds = scene.geometry.bounds;
-        const Vec3<double> extent(bounds.upper - bounds.lower);
-        const uint64_t budget =
-            (backend_.available_memory() + starts_.bytes() + references_.bytes() + cloud_.bytes()) / 2;
-        GridRule rule;
-        rule.voxels_per_primitive = plan.voxels_per_primitive;
-        rule.most_voxels = std::min(rule.most_voxels, budget / 2 / sizeof(uint32_t));
-        for (;; rule.voxels_per_primitive /= 2) {
-            std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);
-            for (int i = 0; i < 3; ++i)
-                if (plan.size[i] > 0)
-                    voxels[i] = std::min(plan.size[i], uint32_t(rule.longest));
-            limit(voxels, rule);
-            scene.grid = grid_over(bounds, voxels, plan.brick);
-            if (plan.brick > 0)
-                scene.grid.cloud = cloud_.mark(scene, plan.metric);
-            const ReferenceTotal total = count_references(scene);
-            const uint64_t most = std::min<uint64_t>(most_references, budget / sizeof(uint32_t));
-            if (total.references <= most || scene.grid.cell_count() == 1) {
-                fill(scene, total);
-                for (int i = 0; i < 3; ++i)
-                    statistics.grid[i] = uint32_t(scene.grid.size[i]);
-                statistics.references = total.references;
-                statistics.occupied = total.occupied;
+        do {
+            start(scene, plan);
+            if (has_seen_ && !Backend::is_immediate)
                 return;
-            }
-            rule.most_voxels = std::max<uint64_t>(scene.grid.cell_count() / 4, 1); // also against a size asked for
-        }
+            backend_.synchronize();
+        } while (!is_complete());
     }
 
-    /// The mean distance over the empty bricks of the cloud that `plan` would make: only its bricks are marked, and no
-    /// lists are made.
-    double mean_distance(SceneView<Real> scene, const GridPlan& plan) {
+    /// After a synchronize(): whether the grid is whole. If not, there is room now, and it has to be built again.
+    bool is_complete() {
         if (bounded_ == 0)
-            return 0;
-        const Vec3<double> extent(scene.geometry.bounds.upper - scene.geometry.bounds.lower);
-        GridRule rule;
-        rule.voxels_per_primitive = plan.voxels_per_primitive;
-        scene.grid = grid_over(scene.geometry.bounds, grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule),
-                               plan.brick);
-        scene.grid.cloud = cloud_.mark(scene, plan.metric);
-        cloud_.measure(scene.grid.cloud);
-        return cloud_.mean_distance();
+            return true;
+        const GridCounts counts = seen_counts_.value();
+        const bool whole = counts.links <= links_.size() && counts.bricks <= brick_room_;
+        if (!whole && counts.links > link_budget() && cells_ > 1)
+            most_voxels_ = std::max<uint64_t>(cells_ / 4, 1);
+        link_room_ = counts.links + counts.links / 8;
+        brick_room_ = uint32_t(std::min<uint64_t>(counts.bricks + counts.bricks / 8 + 64, 0xfffffffe));
+        has_seen_ = whole;
+        return whole;
     }
 
-    /// Measures the cloud's distances. The scene's grid must have been built with one.
-    void build_distances(SceneView<Real>& scene, FrameStatistics& statistics) {
-        cloud_.measure(scene.grid.cloud);
-        statistics.metric = scene.grid.cloud.metric;
-        statistics.brick = 1u << scene.grid.cloud.shift;
+    /// What the grid and its cloud are like, once they are complete.
+    void report(const GridView<Real>& grid, FrameStatistics& statistics) const {
+        if (!grid.in_use())
+            return;
+        for (int i = 0; i < 3; ++i)
+            statistics.grid[i] = uint32_t(grid.size[i]);
+        statistics.references = seen_counts_.value().links;
+        statistics.occupied = seen_counts_.value().occupied;
+        if (!grid.cloud.in_use())
+            return;
+        statistics.metric = grid.cloud.metric;
+        statistics.brick = 1u << grid.cloud.shift;
         statistics.mean_distance = cloud_.mean_distance();
     }
 
+    /// The mean distance over the empty bricks of the cloud that `plan` would make: only its bricks are marked, and no
+    /// lists are made. Waits for the device.
+    double mean_distance(SceneView<Real> scene, const GridPlan& plan) {
+        if (bounded_ == 0)
+            return 0;
+        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
+        clear_counts();
+        cloud_.mark(scene, plan.metric, counts_.view());
+        cloud_.measure(scene.grid.cloud);
+        backend_.synchronize();
+        return cloud_.mean_distance();
+    }
+
+    /// Starts to measure the cloud's distances. The scene's grid must have been built with one.
+    void build_distances(SceneView<Real>& scene) { cloud_.measure(scene.grid.cloud); }
+
 private:
     static constexpr uint32_t most_large = 64;
-    static constexpr uint64_t most_references = 1ull << 31;
+    static constexpr uint64_t most_links = 0xfffffff0; ///< links are numbered in 32 bits
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
     void list_large(GeometryView<Real>& geometry, uint32_t count) {
@@ -132,10 +141,25 @@ private:
         return box;
     }
 
-    static void limit(std::array<uint32_t, 3>& voxels, const GridRule& rule) {
-        while (uint64_t(voxels[0]) * voxels[1] * voxels[2] > rule.most_voxels)
+    /// Bytes that the lists may take: what they have, and half of what is left.
+    uint64_t budget() const {
+        return (backend_.available_memory() + heads_.bytes() + links_.bytes() + cloud_.bytes()) / 2;
+    }
+    uint64_t link_budget() const { return std::min<uint64_t>(most_links, budget() / sizeof(GridLink)); }
+
+    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, const GridPlan& plan) const {
+        const Vec3<double> extent(bounds.upper - bounds.lower);
+        GridRule rule;
+        rule.voxels_per_primitive = plan.voxels_per_primitive;
+        rule.most_voxels = most_voxels_;
+        std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);
+        for (int i = 0; i < 3; ++i)
+            if (plan.size[i] > 0)
+                voxels[i] = std::min(plan.size[i], uint32_t(rule.longest));
+        while (uint64_t(voxels[0]) * voxels[1] * voxels[2] > rule.most_voxels) // a size that was asked for
             for (uint32_t& n : voxels)
                 n = std::max(1u, uint32_t(n * 0.8));
+        return voxels;
     }
 
     /// The grid over the bounds; with bricks, as many whole ones as hold the voxels that were asked for.
@@ -151,32 +175,58 @@ private:
         return grid;
     }
 
-    ReferenceTotal count_references(const SceneView<Real>& scene_without_lists) {
-        SceneView<Real> scene = scene_without_lists;
-        const uint32_t slots =
-            scene.grid.cloud.in_use() ? cloud_.occupied() << (3 * scene.grid.cloud.shift) : scene.grid.cell_count();
-        starts_.resize(size_t(slots) + 2); // one in front and one behind: see CountReferences
-        starts_.fill_bytes(0);
-        scene.grid.starts = starts_.view();
-        backend_.for_each(scene.geometry.round_count(), CountReferences<Real>{scene.grid, scene.geometry});
-        return backend_.template reduce<ReferenceTotal>(slots, MeasureReferences{starts_.view().subspan(1)});
+    void clear_counts() {
+        counts_.resize(1);
+        counts_.fill_bytes(0);
     }
 
-    void fill(SceneView<Real>& scene, const ReferenceTotal& total) {
-        references_.resize(total.references);
-        backend_.exclusive_scan(starts_.view().subspan(1));
-        scene.grid.starts = starts_.view();
-        scene.grid.references = references_.view();
-        backend_.for_each(scene.geometry.round_count(), FillReferences<Real>{scene.grid, scene.geometry});
+    void start(SceneView<Real>& scene, const GridPlan& plan) {
+        if (!has_seen_ && link_room_ == 0)
+            link_room_ = std::min<uint64_t>(uint64_t(bounded_) * expected_links, link_budget());
+        if (!has_seen_)
+            most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
+        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
+        cells_ = scene.grid.cell_count();
+        if (links_.size() < link_room_)
+            links_.resize(link_room_);
+        scene.grid.links = links_.view();
+        clear_counts();
+        if (plan.brick > 0) {
+            brick_room_ = std::min(std::max(brick_room_, 1024u), scene.grid.cloud.brick_count());
+            heads_.resize(size_t(brick_room_) << (3 * scene.grid.cloud.shift));
+            scene.grid.heads = heads_.view();
+            cloud_.mark(scene, plan.metric, counts_.view());
+        } else {
+            heads_.resize(scene.grid.cell_count());
+            heads_.fill_bytes(0xff); // no_link
+            scene.grid.heads = heads_.view();
+        }
+        const uint32_t primitives = scene.geometry.round_count();
+        first_links_.resize(size_t(primitives) + 1);
+        backend_.for_each(primitives + 1, CountLinks<Real>{scene.grid, scene.geometry, first_links_.view()});
+        backend_.exclusive_scan(first_links_.view());
+        backend_.for_each(primitives,
+                          LinkPrimitives<Real>{scene.grid, scene.geometry, first_links_.view(), counts_.view()});
+        seen_counts_.request(counts_);
     }
+
+    static constexpr uint32_t expected_links = 6; ///< a primitive, in a scene that was not seen yet
 
     Backend& backend_;
     CloudBuilder<Backend, Real> cloud_;
-    Buffer<uint32_t> starts_;
-    Buffer<uint32_t> references_;
+    Buffer<uint32_t> heads_;
+    Buffer<uint32_t> first_links_;
+    Buffer<GridLink> links_;
     Buffer<uint32_t> large_;
     Buffer<uint32_t> large_count_;
+    Buffer<GridCounts> counts_;
+    typename Backend::template Receipt<GridCounts> seen_counts_;
     uint32_t bounded_ = 0;
+    uint64_t cells_ = 0;
+    uint64_t link_room_ = 0;
+    uint32_t brick_room_ = 0;
+    uint64_t most_voxels_ = GridRule{}.most_voxels;
+    bool has_seen_ = false;
 };
 
 } // namespace proxima

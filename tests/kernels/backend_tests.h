@@ -65,15 +65,23 @@ TEST_CASE_TEMPLATE("backend: scan and reduce agree with plain loops", Backend, B
     for (const size_t count : {size_t(1), size_t(65535), size_t(65536), size_t(300001)}) {
         std::vector<uint32_t> numbers(count);
         for (size_t i = 0; i < count; ++i)
-            numbers[i] = uint32_t((i * 2654435761u) >> 20);
+            numbers[i] = uint32_t(i * 2654435761u) >> 16; // their sum exceeds 32 bits in the last case
         buffer.upload(count, [&](size_t i) { return numbers[i]; });
         const SumAndMax total = backend.template reduce<SumAndMax>(uint32_t(count), MeasureNumber{buffer.view()});
         CHECK(total.sum == std::accumulate(numbers.begin(), numbers.end(), uint64_t(0)));
         CHECK(total.largest == *std::max_element(numbers.begin(), numbers.end()));
+        typename Backend::template Buffer<SumAndMax> sum(backend);
+        typename Backend::template Receipt<SumAndMax> receipt(backend);
+        sum.resize(1);
+        backend.template reduce_into<SumAndMax>(sum, uint32_t(count), MeasureNumber{buffer.view()});
+        receipt.request(sum);
+        backend.synchronize();
+        CHECK(receipt.value().sum == total.sum);
+        CHECK(receipt.value().largest == total.largest);
         backend.exclusive_scan(buffer.view());
         std::vector<uint32_t> result(count), expected(count);
         buffer.download(result.data());
-        std::exclusive_scan(numbers.begin(), numbers.end(), expected.begin(), 0u);
+        std::exclusive_scan(numbers.begin(), numbers.end(), expected.begin(), 0u, saturated_sum);
         CHECK(result == expected);
         CHECK(buffer.read(count - 1) == expected.back());
     }

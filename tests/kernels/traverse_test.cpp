@@ -100,10 +100,9 @@ TEST_CASE_TEMPLATE("traverse: every grid and cloud finds what brute force finds,
             CAPTURE(plan.brick);
             CAPTURE(int(plan.metric));
             SceneView<Real> grid = brute;
-            FrameStatistics statistics;
-            builder.build(grid, plan, statistics);
+            builder.build(grid, plan);
             if (plan.brick > 0)
-                builder.build_distances(grid, statistics);
+                builder.build_distances(grid);
             REQUIRE(grid.grid.in_use());
             int hits = 0;
             for (int i = 0; i < 3000; ++i) {
@@ -117,6 +116,8 @@ TEST_CASE_TEMPLATE("traverse: every grid and cloud finds what brute force finds,
                 REQUIRE(a.primitive == b.primitive);
                 REQUIRE(a.t == b.t);
                 REQUIRE(find_any(grid, based, Real(0), infinity<Real>) == (a.primitive != no_primitive));
+                const Hit<Real> c = find_nearest<RoundShapes::spheres>(grid, based, {}, Real(0), infinity<Real>, 0);
+                REQUIRE((c.t == a.t && c.primitive == a.primitive));
                 hits += a.primitive != no_primitive;
                 if (a.primitive == no_primitive)
                     continue;
@@ -184,8 +185,7 @@ TEST_CASE("traverse: the primitives around a point, with and without a grid") {
     GridBuilder<CpuBackend, float> builder(backend);
     builder.find_bounds(brute.geometry);
     SceneView<float> grid = brute;
-    FrameStatistics statistics;
-    builder.build(grid, {}, statistics);
+    builder.build(grid, {});
     const auto around = [](const SceneView<float>& scene, const Vec3<float>& point) {
         std::vector<uint32_t> ids;
         for_each_around(scene, point, [&](uint32_t id) {
