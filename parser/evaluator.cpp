@@ -24,6 +24,7 @@ SceneProgram Evaluator::run() {
     cursor_ = program_->tokens.data();
     if (program_->literal_spheres > 0)
         builder_.reserve_spheres(program_->literal_spheres + program_->literal_spheres / 64 + 64);
+    size_t mistakes = 0; // the same one in a macro too, which is shown once
     for (bool more = true; more;) {
         try {
             in_item_ = false;
@@ -33,7 +34,7 @@ SceneProgram Evaluator::run() {
         } catch (const SceneError& error) {
             if (!error.diagnostic.message.empty())
                 diagnostics_.report(error.diagnostic);
-            more = !exhausted_ && diagnostics_.error_count() < 200;
+            more = !exhausted_ && diagnostics_.error_count() < 200 && ++mistakes < 1000;
             if (more)
                 recover();
         }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <unordered_map>
 
 namespace proxima {
 namespace {
@@ -55,16 +56,21 @@ bool part_of_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/// Whether `text` has `#declare identifier` or `#macro identifier`.
-bool declares(std::string_view text, std::string_view identifier) {
-    for (size_t at = text.find(identifier); at != std::string_view::npos; at = text.find(identifier, at + 1)) {
-        const std::string_view before = text.substr(0, at);
-        const size_t after = at + identifier.size();
-        if ((before.ends_with("#declare ") || before.ends_with("#macro ")) &&
-            (after == text.size() || !part_of_name(text[after])))
-            return true;
+/// The file of each name that one declares, known or refused: the first one's.
+std::unordered_map<std::string, const StandardFile*> files_of_names() {
+    std::unordered_map<std::string, const StandardFile*> owners;
+    for (const StandardFile& file : files) {
+        const std::string text = file.text ? file.text() : "";
+        for (const std::string_view directive : {"#declare ", "#macro "})
+            for (size_t at = text.find(directive); at != std::string::npos; at = text.find(directive, at)) {
+                at += directive.size();
+                const auto begin = text.begin() + ptrdiff_t(at);
+                owners.emplace(std::string(begin, std::find_if_not(begin, text.end(), part_of_name)), &file);
+            }
+        for (const RefusedNames& refused : file.refused)
+            for_each_name(refused, [&](std::string_view name) { owners.emplace(name, &file); });
     }
-    return false;
+    return owners;
 }
 
 } // namespace
@@ -81,14 +87,10 @@ std::string standard_text(const StandardFile& file) {
 }
 
 const StandardFile* standard_file_of(std::string_view identifier) {
-    for (const StandardFile& file : files) {
-        bool found = file.text && declares(file.text(), identifier);
-        for (const RefusedNames& refused : file.refused)
-            for_each_name(refused, [&](std::string_view name) { found = found || name == identifier; });
-        if (found)
-            return &file;
-    }
-    return nullptr;
+    // Made when the first mistake asks: a scene may have hundreds.
+    static const std::unordered_map<std::string, const StandardFile*> owners = files_of_names();
+    const auto found = owners.find(std::string(identifier));
+    return found == owners.end() ? nullptr : found->second;
 }
 
 } // namespace proxima
