@@ -45,11 +45,17 @@ struct Pattern {
     uint32_t stop_count = 0;
 };
 
-/// A colour map is a list of these, by rising value; colours in between are mixed.
+/// A colour map is a list of these, by rising value; colours in between are mixed. A pigment map's have pigments, which
+/// are evaluated at the point of the pattern's space.
 struct ColorStop {
+    static constexpr uint32_t no_pigment = 0xffffffffu;
+
     float value = 0.0f;
     PigmentColor color;
+    uint32_t pigment = no_pigment; ///< in place of the colour
 };
+
+inline constexpr int pigment_map_depth = 2; ///< of pigment maps in each other
 
 /// A colour, a pattern of two, or a pattern with a colour map. Patterns are evaluated at `transforms[transform]`
 /// applied to the hit point (the map world -> pattern space).

@@ -71,31 +71,43 @@ template <class Real> HD Real wave_number(const Pattern& pattern, Real number) {
     return number;
 }
 
-/// The colour at a place of a colour map, whose end colours go on beyond it.
-template <class Real> HD MixedColor<Real> map_color(std::span<const ColorStop> stops, Real place) {
+/// Where a place stands in a map: `part` of the way from the stop `low` to `high`, which are the same where one stop
+/// alone counts.
+template <class Real> struct MapPlace {
+    size_t low;
+    size_t high;
+    Real part;
+};
+
+template <class Real> HD MapPlace<Real> map_place(std::span<const ColorStop> stops, Real place) {
     const size_t last = stops.size() - 1;
     if (place >= Real(stops[last].value))
-        return mixed_color<Real>(stops[last].color);
+        return {last, last, Real(0)};
     size_t above = 0;
     while (place > Real(stops[above].value))
         ++above;
-    const ColorStop& high = stops[above];
-    if (above == 0 || place == Real(high.value))
-        return mixed_color<Real>(high.color);
-    const ColorStop& low = stops[above - 1];
-    const Real part = (place - Real(low.value)) / (Real(high.value) - Real(low.value));
-    const MixedColor<Real> a = mixed_color<Real>(low.color), b = mixed_color<Real>(high.color);
-    const Real rest = Real(1) - part;
-    return {rest * a.rgb + part * b.rgb, rest * a.filter + part * b.filter, rest * a.transmit + part * b.transmit};
+    if (above == 0 || place == Real(stops[above].value))
+        return {above, above, Real(0)};
+    const Real low = Real(stops[above - 1].value);
+    return {above - 1, above, (place - low) / (Real(stops[above].value) - low)};
 }
 
-/// The colour of a pigment with a colour map at a point of its own space.
+/// The colour at a place of a colour map, whose end colours go on beyond it.
+template <class Real> HD MixedColor<Real> map_color(std::span<const ColorStop> stops, Real place) {
+    const MapPlace<Real> at = map_place(stops, place);
+    const MixedColor<Real> a = mixed_color<Real>(stops[at.low].color);
+    if (at.low == at.high)
+        return a;
+    const MixedColor<Real> b = mixed_color<Real>(stops[at.high].color);
+    const Real rest = Real(1) - at.part;
+    return {rest * a.rgb + at.part * b.rgb, rest * a.filter + at.part * b.filter,
+            rest * a.transmit + at.part * b.transmit};
+}
+
+/// The stops of a pigment with a pattern.
 template <class Real>
-HD_RARE MixedColor<Real> pattern_color(const SurfacesView<Real>& surfaces, const Pigment& pigment,
-                                       const Vec3<Real>& point) {
-    const Pattern& pattern = surfaces.patterns[pigment.pattern];
-    const Real place = wave_number(pattern, pattern_number(pigment.kind, point));
-    return map_color(surfaces.color_stops.subspan(pattern.first_stop, pattern.stop_count), place);
+HD std::span<const ColorStop> pattern_stops(const SurfacesView<Real>& surfaces, const Pattern& pattern) {
+    return surfaces.color_stops.subspan(pattern.first_stop, pattern.stop_count);
 }
 
 } // namespace proxima

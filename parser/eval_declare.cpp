@@ -192,6 +192,8 @@ Value Evaluator::right_hand_side() {
         return std::make_shared<const Camera<double>>(camera());
     if (accept(Word::color_map) || accept(Word::colour_map))
         return color_map();
+    if (accept(Word::pigment_map))
+        return pigment_map();
     if (accept(Word::sky_sphere))
         return std::make_shared<const SkySphere>(sky_sphere());
     if (accept(Word::fog))

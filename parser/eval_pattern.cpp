@@ -2,6 +2,7 @@
 // Patterns with a colour map, as they stand in a pigment.
 #include "parser/evaluator.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace proxima {
@@ -46,8 +47,11 @@ bool Evaluator::pattern_kind(PigmentValue& value) {
         value = {};
         value.pigment.kind = PigmentKind::gradient;
         const Vec3<double> unit = glm::normalize(axis);
+        const bool mostly_x = std::abs(unit.x) > 0.5;
+        const Vec3<double> side = glm::normalize(glm::cross(Vec3<double>(!mostly_x, mostly_x, 0), unit));
+        const Vec3<double> other = glm::cross(unit, side);
         for (int i = 0; i < 3; ++i) // the axis becomes the x of the pattern's space
-            value.pattern_from_world.linear[i] = {unit[i], 0, 0};
+            value.pattern_from_world.linear[i] = {unit[i], side[i], other[i]};
         return true;
     }
     for (const NamedPattern& pattern : patterns)
@@ -72,7 +76,10 @@ void Evaluator::complete_pattern(PigmentValue& value) {
 /// Reads what may stand behind a pattern, if the next token begins such a thing.
 bool Evaluator::pattern_item(PigmentValue& value) {
     Pattern& pattern = value.pattern;
+    const Token& word = peek();
     if (accept(Word::color_map) || accept(Word::colour_map)) {
+        if (builder_.has_pigment_map(pattern))
+            fail(word, "this pattern has a pigment_map already");
         const ColorMapRef map = color_map();
         pattern.first_stop = map.first;
         pattern.stop_count = map.count;
@@ -121,16 +128,21 @@ ColorMapRef Evaluator::color_map() {
         stop.color = surface_color(color());
         stops.push_back(stop);
         expect(TokenKind::right_bracket);
-        for (size_t i = std::max<size_t>(stops.size(), 3) - 2; i < stops.size(); ++i)
-            if (stops[i].value < stops[i - 1].value)
-                fail(at, fmt::format("the values of a color map must rise, {} stands behind {}", stops[i].value,
-                                     stops[i - 1].value));
+        check_rising(at, stops);
     }
     if (stops.empty())
         fail_unexpected("an entry like [0.5 rgb <1, 0, 0>], or the name of a color map");
     if (!accept(TokenKind::right_brace))
         fail_unexpected("an entry like [0.5 rgb <1, 0, 0>] or '}'");
     return builder_.add_color_map(stops);
+}
+
+/// Whether the last two stops, which may come together, follow those before.
+void Evaluator::check_rising(const Token& at, std::span<const ColorStop> stops) const {
+    for (size_t i = std::max<size_t>(stops.size(), 3) - 2; i < stops.size(); ++i)
+        if (stops[i].value < stops[i - 1].value)
+            fail(at, fmt::format("the values of a color map must rise, {} stands behind {}", stops[i].value,
+                                 stops[i - 1].value));
 }
 
 } // namespace proxima

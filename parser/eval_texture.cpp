@@ -10,13 +10,19 @@ namespace proxima {
 /// `pigment { ... }` after its word; `base` is what the block changes.
 PigmentRef Evaluator::pigment(uint32_t base) {
     expect(TokenKind::left_brace);
+    return pigment_items(base, TokenKind::right_brace);
+}
+
+/// What stands in a pigment, and the bracket that closes it.
+PigmentRef Evaluator::pigment_items(uint32_t base, TokenKind closing) {
     PigmentValue value = builder_.pigment(base);
     if (const PigmentRef* declared = identifier<PigmentRef>()) {
         value = builder_.pigment(declared->index);
         advance();
     }
     // A colour or a pattern comes first, and once.
-    const char* expected = "a transform or '}'";
+    std::string expected = "a transform";
+    bool own_pattern = false;
     if (accept(Word::checker)) {
         value = {};
         value.pigment.kind = PigmentKind::checker;
@@ -29,24 +35,25 @@ PigmentRef Evaluator::pigment(uint32_t base) {
                 value.pigment.second_color = surface_color(color());
         }
     } else if (pattern_kind(value)) {
-        expected = "color_map, frequency, phase, a wave, a transform or '}'";
+        own_pattern = true;
+        expected = "color_map, pigment_map, frequency, phase, a wave, a transform";
     } else if (starts_color()) {
         value = {};
         value.pigment.color = surface_color(color());
     } else {
-        expected = "a color (like rgb <1, 0, 0>), a pattern, a transform or '}'";
+        expected = "a color (like rgb <1, 0, 0>), a pattern, a transform";
     }
     TransformPair transform;
     for (;;) {
         if (accept(Word::quick_color) || accept(Word::quick_colour))
             color(); // used by POV-Ray's previews alone
-        else if (has_color_map(value.pigment.kind) && pattern_item(value))
+        else if (has_color_map(value.pigment.kind) && (pattern_item(value) || pigment_map_item(value, own_pattern)))
             continue;
         else if (!transform_item(transform))
             break;
     }
-    if (!accept(TokenKind::right_brace))
-        fail_unexpected(expected);
+    if (!accept(closing))
+        fail_unexpected(expected + (closing == TokenKind::right_brace ? " or '}'" : " or ']'"));
     complete_pattern(value);
     value.pattern_from_world = compose(value.pattern_from_world, transform.inverse);
     return {builder_.add_pigment(value)};

@@ -12,6 +12,7 @@
 #include "parser/words.h"
 
 #include <chrono>
+#include <span>
 #include <unordered_set>
 
 namespace proxima {
@@ -258,6 +259,7 @@ private:
 
     // eval_texture.cpp
     PigmentRef pigment(uint32_t base);
+    PigmentRef pigment_items(uint32_t base, TokenKind closing);
     FinishRef finish(uint32_t base);
     void reflection(Finish& finish);
     InteriorRef interior(uint32_t base);
@@ -274,6 +276,12 @@ private:
     bool pattern_item(PigmentValue& value);
     void complete_pattern(PigmentValue& value);
     ColorMapRef color_map();
+    void check_rising(const Token& at, std::span<const ColorStop> stops) const;
+
+    // eval_pigment_map.cpp
+    PigmentMapRef pigment_map();
+    bool pigment_map_item(PigmentValue& value, bool own_pattern);
+    bool starts_pigment();
 
     // eval_transform.cpp
     bool transform_item(TransformPair& result);

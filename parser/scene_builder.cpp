@@ -59,6 +59,24 @@ PigmentValue SceneBuilder::pigment(uint32_t index) const {
     return value;
 }
 
+std::span<const ColorStop> SceneBuilder::stops_of(const Pattern& pattern) const {
+    return std::span(program_.color_stops).subspan(pattern.first_stop, pattern.stop_count);
+}
+
+bool SceneBuilder::has_pigment_map(const Pattern& pattern) const {
+    return pattern.stop_count > 0 && stops_of(pattern)[0].pigment != ColorStop::no_pigment;
+}
+
+int SceneBuilder::map_depth(uint32_t index) const {
+    const Pigment& pigment = program_.pigments[index];
+    if (!has_color_map(pigment.kind) || !has_pigment_map(program_.patterns[pigment.pattern]))
+        return 0;
+    int depth = 0;
+    for (const ColorStop& stop : stops_of(program_.patterns[pigment.pattern]))
+        depth = std::max(depth, map_depth(stop.pigment));
+    return depth + 1;
+}
+
 uint32_t SceneBuilder::add_texture(std::span<const Layer> layers) {
     uint32_t texture = Surface::none;
     for (const Layer& layer : layers)
@@ -133,10 +151,10 @@ bool SceneBuilder::lets_light_through(const Pigment& pigment) const {
         return is_transparent(pigment.color);
     if (pigment.kind == PigmentKind::checker)
         return is_transparent(pigment.color) || is_transparent(pigment.second_color);
-    const Pattern& pattern = program_.patterns[pigment.pattern];
-    const auto first = program_.color_stops.begin() + pattern.first_stop;
-    return std::any_of(first, first + pattern.stop_count,
-                       [](const ColorStop& stop) { return is_transparent(stop.color); });
+    return std::ranges::any_of(stops_of(program_.patterns[pigment.pattern]), [&](const ColorStop& stop) {
+        return stop.pigment == ColorStop::no_pigment ? is_transparent(stop.color)
+                                                     : lets_light_through(program_.pigments[stop.pigment]);
+    });
 }
 
 ColorMapRef SceneBuilder::add_color_map(std::span<const ColorStop> stops) {

@@ -32,6 +32,9 @@ public:
     uint32_t add_texture(std::span<const Layer> layers);
 
     PigmentValue pigment(uint32_t index) const;
+    bool has_pigment_map(const Pattern& pattern) const;
+    /// How deep pigment maps stand in each other in a pigment; 0 without one.
+    int map_depth(uint32_t pigment) const;
     const Finish& finish(uint32_t index) const { return program_.finishes[index]; }
     const Interior& interior(uint32_t index) const { return program_.interiors[index]; }
     std::vector<Layer> texture(uint32_t index) const;
@@ -65,6 +68,7 @@ private:
 
     bool patterned(uint32_t texture) const;
     bool lets_light_through(const Pigment& pigment) const;
+    std::span<const ColorStop> stops_of(const Pattern& pattern) const;
     void add_light(const LightSource& source);
     const LayerRange& layer_range(uint32_t texture);
 

@@ -48,6 +48,7 @@ const char* value_description(const Value& value) {
         const char* operator()(const MaterialValue&) const { return "a material"; }
         const char* operator()(const ShapeRef&) const { return "an object"; }
         const char* operator()(ColorMapRef) const { return "a color map"; }
+        const char* operator()(PigmentMapRef) const { return "a pigment map"; }
         const char* operator()(const SkyRef&) const { return "a sky sphere"; }
         const char* operator()(const FogRef&) const { return "a fog"; }
         const char* operator()(const CameraRef&) const { return "a camera"; }

@@ -73,6 +73,12 @@ struct ColorMapRef {
     uint32_t count = 0;
 };
 
+/// The same, of stops with pigments.
+struct PigmentMapRef {
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
+
 /// What a primitive wears. `none` is what a surrounding union or the default may still give.
 struct Surface {
     static constexpr uint32_t none = 0xffffffffu;
@@ -144,7 +150,7 @@ using SplineRef = std::shared_ptr<const Spline>;
 
 using Value = std::variant<std::monostate, Terms, std::string, PigmentRef, FinishRef, InteriorRef, TextureRef,
                            MaterialValue, ShapeRef, ColorMapRef, SkyRef, FogRef, CameraRef, TransformRef, MacroRef,
-                           Refused, ArrayRef, DataFileRef, FunctionRef, SplineRef>;
+                           Refused, ArrayRef, DataFileRef, FunctionRef, SplineRef, PigmentMapRef>;
 
 /// What POV-Ray tells apart where a value may replace only one of its kind.
 struct ValueKind {

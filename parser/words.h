@@ -28,7 +28,7 @@ namespace proxima {
     /* patterns, then what stands in a pigment that has one */ \
     X(gradient, "gradient") X(radial, "radial") X(spherical, "spherical") X(planar, "planar") \
     X(cylindrical, "cylindrical") X(boxed, "boxed") X(onion, "onion") X(leopard, "leopard") \
-    X(color_map, "color_map") X(colour_map, "colour_map") X(frequency, "frequency") X(phase, "phase") \
+    X(color_map, "color_map") X(colour_map, "colour_map") X(pigment_map, "pigment_map") X(frequency, "frequency") X(phase, "phase") \
     X(ramp_wave, "ramp_wave") X(sine_wave, "sine_wave") X(triangle_wave, "triangle_wave") \
     X(scallop_wave, "scallop_wave") X(cubic_wave, "cubic_wave") X(poly_wave, "poly_wave") \
     /* object modifiers */ \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/pattern.h"
+#include "kernels/pigment.h"
 
 #include <doctest/doctest.h>
 
@@ -58,4 +58,32 @@ TEST_CASE("patterns: colors between the stops of a map are mixed, those beyond a
     CHECK(map_color<double>(stops, 0.5).rgb == Vec3<double>(1, 0, 0)); // the first of two at one place
     CHECK(map_color<double>(stops, 0.625).rgb == Vec3<double>(0, 0.5, 0.5));
     CHECK(map_color<double>(stops, 9).rgb == Vec3<double>(0, 0, 1));
+}
+
+TEST_CASE_TEMPLATE("patterns: a pigment map mixes its pigments at the point of the pattern's space", Real, float,
+                   double) {
+    // x from 0 to 1 in units of 2: a solid colour, then a checker in units of 0.5 of that space.
+    const Affine<Real> transforms[] = {{Mat3<Real>(Real(0.5)), Vec3<Real>(0)}, {Mat3<Real>(Real(2)), Vec3<Real>(0)}};
+    Pigment solid, checker, outer;
+    solid.color.rgb = {0, 1, 0};
+    checker.kind = PigmentKind::checker;
+    checker.transform = 1;
+    checker.color.rgb = {1, 0, 0};
+    checker.second_color = {{0, 0, 1}, 0, 1};
+    outer.kind = PigmentKind::gradient;
+    outer.transform = 0;
+    const Pigment pigments[] = {solid, checker, outer};
+    const ColorStop stops[] = {{0, {}, 0}, {1, {}, 1}};
+    const Pattern patterns[] = {{.stop_count = 2}};
+    SurfacesView<Real> surfaces;
+    surfaces.pigments = pigments;
+    surfaces.patterns = patterns;
+    surfaces.color_stops = stops;
+    surfaces.transforms = transforms;
+    // 0.4 in the pattern's space is 0.8 in the checker's: its first colour.
+    CHECK(pigment_color(surfaces, outer, Vec3<Real>(Real(0.8), Real(0.1), Real(0.1))).rgb.x == doctest::Approx(0.4));
+    CHECK(pigment_color(surfaces, outer, Vec3<Real>(Real(0.8), Real(0.1), Real(0.1))).rgb.y == doctest::Approx(0.6));
+    // 0.6 is 1.2: its second one, with its transparency.
+    CHECK(pigment_color(surfaces, outer, Vec3<Real>(Real(1.2), Real(0.1), Real(0.1))).rgb.z == doctest::Approx(0.6));
+    CHECK(pigment_color(surfaces, outer, Vec3<Real>(Real(1.2), Real(0.1), Real(0.1))).transmit == doctest::Approx(0.6));
 }
