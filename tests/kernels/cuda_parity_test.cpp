@@ -52,10 +52,16 @@ TEST_CASE("cuda: lights, patterns, sky, fog and antialiasing are those of the CP
     scene.area_lights.push_back(
         {.axis1 = {2, 0, 0}, .axis2 = {0, 2, 0}, .columns = 5, .rows = 5, .circular = 1, .jitter = 1, .adaptive = 1});
     scene.patterns.push_back({.wave = Wave::triangle, .frequency = 2, .stop_count = 2});
-    scene.color_stops = {{0, {{1, 0.5f, 0}}}, {1, {{0, 0.5f, 1}, 0.25f, 0.5f}}};
+    scene.patterns.push_back({.first_stop = 2, .stop_count = 2}); // a pigment map of a checker and the first pigment
+    const uint32_t checker = uint32_t(scene.pigments.size()), mapped = checker + 1;
+    scene.color_stops = {{0, {{1, 0.5f, 0}}}, {1, {{0, 0.5f, 1}, 0.25f, 0.5f}}, {0.2f, {}, checker}, {0.9f, {}, 0}};
+    scene.pigments.push_back(
+        {.kind = PigmentKind::checker, .color = {{1, 0, 0}, 0, 0.7f}, .second_color = {{0, 0, 1}}});
+    scene.pigments.push_back({.kind = PigmentKind::onion, .pattern = 1});
+    scene.layers[0].pigment = mapped;
     scene.pigments[0].kind = PigmentKind::gradient;
     scene.pigments[1].kind = PigmentKind::leopard;
-    scene.sky.pigments = {1, 0};
+    scene.sky.pigments = {1, 0, mapped};
     scene.fogs.push_back({.color = {0.5f, 0.6f, 0.7f}, .distance = 20});
     const auto cpu = make_cpu_renderer(0);
     const auto cuda = make_cuda_renderer(0);
