@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The distances of a cloud: one pass an axis over the lines of bricks along it, bytes in, bytes out. Distances are
 // separable: what an axis adds to those of the axes before it depends on nothing but the bricks of its line (Rosenfeld
-// and Pfaltz, "Distance Functions on Digital Pictures", 1968; Meijster, Roerdink and Hesselink, "A General Algorithm
-// for Computing Distance Transforms in Linear Time", 2000).
+// and Pfaltz, "Distance Functions on Digital Pictures", 1968).
 #pragma once
 #include "kernels/cloud.h"
 
@@ -18,76 +17,16 @@ template <class Byte> struct BrickLine {
     HD void store(int32_t i, int32_t distance) const { first[i * stride] = uint8_t(smaller(distance, 255)); }
 };
 
-/// For chessboard distances, the least max(|j - i|, line[j]) over all j of a line, for one i after the other; for
-/// octants over j >= i only. Each is at least the last one less 1, so the window that is looked at moves on, and the
-/// nearest brick that counts (`witness`) is only looked for again when it falls out of the window.
-class ChessboardSweep {
-public:
-    HD ChessboardSweep(const BrickLine<const uint8_t>& line, bool ahead_only, int32_t start)
-        : line_(line), ahead_only_(ahead_only), i_(start), right_(start - 1) {
-        for (int32_t least = far;; ++distance_) {
-            least = smaller(least, line_[start + distance_]);
-            if (!ahead_only)
-                least = smaller(least, line_[start - distance_]);
-            if (least <= distance_)
-                break;
-        }
-        witness_ = ahead_only ? start - 1 : start - distance_ - 1;
-        right_ = start + distance_;
-        look_for_next();
+/// For chessboard distances, the least max(|k|, line[i + k]) over all k of a line; for octants over k >= 0 only. No
+/// brick farther than the answer is looked at.
+HD inline int32_t chessboard_distance(const BrickLine<const uint8_t>& line, int32_t i, bool ahead_only) {
+    int32_t distance = line[i];
+    for (int32_t k = 1; k < distance && k < line.count; ++k) {
+        const int32_t value = ahead_only ? line[i + k] : smaller(line[i - k], line[i + k]);
+        distance = smaller(distance, larger(k, value));
     }
-
-    /// The distance of the next brick.
-    HD int32_t next() {
-        while (!has_witness())
-            ++distance_;
-        const int32_t result = distance_;
-        ++i_;
-        distance_ = larger(distance_ - 1, 0);
-        return result;
-    }
-
-private:
-    static constexpr int32_t far = 1 << 20;
-
-    HD bool has_witness() {
-        while (right_ < i_ + distance_) {
-            const int32_t value = line_[++right_];
-            if (value <= next_value_) {
-                next_value_ = value;
-                next_ = right_;
-            }
-        }
-        const int32_t left = ahead_only_ ? i_ : i_ - distance_;
-        if (witness_ >= left && witness_value_ <= distance_)
-            return true;
-        while (next_value_ <= distance_) {
-            witness_ = next_;
-            witness_value_ = next_value_;
-            look_for_next();
-            if (witness_ >= left)
-                return true;
-        }
-        return false;
-    }
-    /// The least of the bricks between the witness and the end of the window.
-    HD void look_for_next() {
-        next_value_ = far;
-        for (int32_t j = witness_ + 1; j <= right_; ++j)
-            if (const int32_t value = line_[j]; value <= next_value_) {
-                next_value_ = value;
-                next_ = j;
-            }
-    }
-
-    BrickLine<const uint8_t> line_;
-    bool ahead_only_;
-    int32_t i_;
-    int32_t right_; ///< end of the window
-    int32_t distance_ = 0;
-    int32_t witness_ = 0, witness_value_ = far;
-    int32_t next_ = 0, next_value_ = far;
-};
+    return distance;
+}
 
 /// What the distances of empty bricks add up to.
 struct DistanceTotal {
@@ -111,7 +50,7 @@ struct MeasureDistances {
 struct DistancePass {
     CloudView cloud;
     int32_t axis = 0;
-    int32_t piece = 8;                 ///< bricks an item
+    int32_t piece = 1;                 ///< bricks an item
     std::span<const uint8_t> occupied; ///< 0 where a brick is
     std::span<const uint8_t> in;
     std::span<uint8_t> out;
@@ -146,9 +85,8 @@ struct DistancePass {
         else if (cloud.metric == Metric::euclidean)
             euclidean(from, to, first, stride, start, end);
         else {
-            ChessboardSweep sweep(from, octant, start);
             for (int32_t i = start; i < end; ++i)
-                to.store(i, sweep.next());
+                to.store(i, chessboard_distance(from, i, octant));
         }
     }
 

@@ -98,6 +98,32 @@ HD void for_each_cell(const GridView<Real>& grid, const Sphere<Real>& sphere, co
     }
 }
 
+/// The voxels that a sphere, inflated, overlaps, when it spans at most two along each axis: bit x + 2 y + 4 z of `mask`
+/// is the voxel (x, y, z) behind the first one. The same as those of for_each_cell.
+struct SmallCells {
+    Vec3<int32_t> first{0};
+    uint32_t mask = 0;
+    bool is_small = false;
+};
+
+template <class Real> HD SmallCells small_cells(const GridView<Real>& grid, const Sphere<Real>& sphere) {
+    const Vec3<Real> center = sphere.center - grid.lower;
+    const Real radius = sphere.radius + grid.inflation;
+    SmallCells cells;
+    int32_t span = 0;
+    for (int i = 0; i < 3; ++i) {
+        cells.first[i] = grid.cell(center[i] - radius, i);
+        span = larger(span, grid.cell(center[i] + radius, i) - cells.first[i]);
+    }
+    cells.is_small = span <= 1;
+    if (!cells.is_small)
+        return cells;
+    for_each_cell(grid, sphere, [&](int32_t x, int32_t y, int32_t z) {
+        cells.mask |= 1u << ((x - cells.first.x) + 2 * (y - cells.first.y) + 4 * (z - cells.first.z));
+    });
+    return cells;
+}
+
 /// Calls `visit(x, y, z)` once for each voxel that the box, inflated, overlaps.
 template <class Real, class Visit>
 HD void for_each_cell(const GridView<Real>& grid, const Box<Real>& box, const Visit& visit) {

@@ -143,15 +143,43 @@ template <class Real> struct LinkPrimitives {
             counts[0].links = first_links[id + 1];
         if (first_links[id + 1] > grid.links.size())
             return;
-        for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
-            const uint32_t slot = grid.slot(x, y, z);
-            if (slot >= grid.heads.size())
-                return; // there are more bricks than there is room for
-            const uint32_t next = atomic_exchange(&grid.heads[slot], link);
-            grid.links[link++] = {id, next};
-            occupied += next == no_link;
-        });
+        const SmallCells cells = first_links[id + 1] > link && geometry.is_sphere(id)
+                                     ? small_cells(grid, geometry.spheres[id])
+                                     : SmallCells{};
+        if (cells.is_small) {
+            // All at once, since each exchange takes a long way to memory.
+            uint32_t next[8];
+            for (int i = 0; i < 8; ++i)
+                next[i] = cells.mask >> i & 1 ? exchange(cells.first.x + (i & 1), cells.first.y + (i >> 1 & 1),
+                                                         cells.first.z + (i >> 2), link + bits_below(cells.mask, i))
+                                              : 0;
+            for (int i = 0; i < 8; ++i)
+                if (cells.mask >> i & 1) {
+                    grid.links[link + bits_below(cells.mask, i)] = {id, next[i]};
+                    occupied += next[i] == no_link;
+                }
+        } else {
+            for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
+                const uint32_t next = exchange(x, y, z, link);
+                grid.links[link++] = {id, next};
+                occupied += next == no_link;
+            });
+        }
         count_up(&counts[0].occupied, occupied);
+    }
+
+private:
+    HD static uint32_t bits_below(uint32_t mask, int bit) {
+        uint32_t count = 0;
+        for (int i = 0; i < bit; ++i)
+            count += mask >> i & 1;
+        return count;
+    }
+    /// Puts a link in front of a voxel's list; returns the next one.
+    HD uint32_t exchange(int32_t x, int32_t y, int32_t z, uint32_t link) const {
+        const uint32_t slot = grid.slot(x, y, z);
+        return slot < grid.heads.size() ? atomic_exchange(&grid.heads[slot], link)
+                                        : no_link; // else more bricks than room
     }
 };
 
