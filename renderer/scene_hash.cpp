@@ -19,7 +19,7 @@ template <> constexpr bool is_packed<Material> = sizeof(Material) == 4 * 4;
 template <> constexpr bool is_packed<Layer> = sizeof(Layer) == 2 * 4;
 template <> constexpr bool is_packed<Pigment> = sizeof(Pigment) == 13 * 4;
 template <> constexpr bool is_packed<Pattern> = sizeof(Pattern) == 6 * 4;
-template <> constexpr bool is_packed<ColorStop> = sizeof(ColorStop) == 6 * 4;
+template <> constexpr bool is_packed<ColorStop> = sizeof(ColorStop) == 7 * 4;
 template <> constexpr bool is_packed<Finish> = sizeof(Finish) == 24 * 4;
 template <> constexpr bool is_packed<Interior> = sizeof(Interior) == 6 * 4;
 template <> constexpr bool is_packed<AreaLight<double>> = sizeof(AreaLight<double>) == 6 * 8 + 8 * 4;
