@@ -182,8 +182,9 @@ void Evaluator::run_for(const Token& directive) {
     if (cursor_->kind != TokenKind::left_paren)
         fail(*cursor_, fmt::format("unexpected '{}'", spelling(*cursor_)), "expected '('");
     ++cursor_;
+    const Token& variable_name = *cursor_;
     const Symbol variable = declared_name();
-    const SourceSpan declared = span(cursor_[-1]);
+    const SourceSpan declared = span(variable_name);
     separator();
     const double start = number();
     Loop loop{.opener = &directive, .variable = variable};
@@ -195,6 +196,8 @@ void Evaluator::run_for(const Token& directive) {
     expect(TokenKind::right_paren);
     if (std::abs(loop.step) < epsilon)
         fail(closing, "the step of a loop must not be 0");
+    if (const Binding* before = scopes_.find(variable); before && !sources_.is_standard(program_->file))
+        check_redeclaration(variable_name, before->value, Terms(start));
     Binding& binding = scopes_.declare_local(variable);
     binding.value = Terms(start);
     binding.declared = declared;

@@ -191,6 +191,7 @@ TEST_CASE("declared functions: mistakes in parameters, calls and declarations") 
     CHECK(error_of(text + "#declare F = function(A) { A }") == "'F' is a function already");
     CHECK(error_of(text + "#declare F = 3;") == "'F' is a function already");
     CHECK(error_of(text + "#macro M() #local F = function(A) { A } #end M()") == "'F' is a function already");
+    CHECK(error_of(text + "#for (F, 1, 2) #end") == "'F' is a function already");
     CHECK(error_of("#declare F = 3; #declare F = function(A) { A }") == "'F' is a number already");
     CHECK(error_of(text + "#undef F #declare F = 3; sphere { 0, F }") == "");
     CHECK(error_of("sphere { 0, 1 pigment { function { x } } }") == "Proxima does not support 'function'");
