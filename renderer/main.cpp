@@ -50,7 +50,17 @@ int exit_code(const DeviceError& error) {
 }
 
 struct Run {
-    void operator()(const RenderOptions& options) const { render_command(options); }
+    void operator()(const RenderOptions& options) const {
+        try {
+            render_command(options);
+        } catch (const std::exception& error) { // Open Job Description wants the reason in words of its own
+            const std::string_view reason = error.what();
+            if (options.progress == ProgressStyle::openjd)
+                std::fprintf(stderr, "openjd_fail: %.*s\n", int(reason.substr(0, reason.find('\n')).size()),
+                             reason.data());
+            throw;
+        }
+    }
     void operator()(const VerifyOptions& options) const { verify_command(options); }
     void operator()(const ColorChoicesOptions& options) const {
         std::fputs(list_color_choices(options.color).c_str(), stdout);

@@ -73,7 +73,8 @@ void add_output_options(CLI::App& command, OutputTexts& texts) {
     command.add_flag("--skip-existing", texts.skip_existing,
                      "Keep files that are whole and just what this run would write");
     command.add_flag("--dry-run", texts.dry_run, "Print the frames and their files, and render nothing");
-    command.add_option("--progress", texts.progress, "auto, plain, json or none, on standard error [auto]")
+    command
+        .add_option("--progress", texts.progress, "auto, bar, plain, json, openjd or none, on standard error [auto]")
         ->type_name("STYLE");
     command.add_option("--stats-json", texts.stats_json, "Write what each step cost as JSON")->type_name("FILE");
 }
@@ -100,6 +101,8 @@ void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& 
     options.movie = read_movie(texts, options);
     options.progress = parse_choice<ProgressStyle>("--progress", texts.progress,
                                                    {{"auto", ProgressStyle::automatic},
+                                                    {"bar", ProgressStyle::bar},
+                                                    {"openjd", ProgressStyle::openjd},
                                                     {"plain", ProgressStyle::plain},
                                                     {"json", ProgressStyle::json},
                                                     {"none", ProgressStyle::none}});

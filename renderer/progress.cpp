@@ -43,7 +43,10 @@ void print(const std::string& text) {
 } // namespace
 
 Progress::Progress(ProgressStyle style, size_t frame_count)
-    : style_(style), bar_(style == ProgressStyle::automatic && can_redraw()), total_(frame_count) {
+    : style_(style), bar_(style == ProgressStyle::bar || (style == ProgressStyle::automatic && can_redraw())),
+      total_(frame_count) {
+    if (style_ == ProgressStyle::openjd)
+        print(fmt::format("openjd_progress: {}\n", total_ == 0 ? 100 : 0));
     draw_bar();
 }
 
@@ -59,6 +62,9 @@ void Progress::frame_written(int64_t frame, const std::string& file) {
         const nlohmann::ordered_json line{{"event", "frame"}, {"frame", frame},  {"file", file},
                                           {"done", done_},    {"total", total_}, {"seconds", seconds}};
         print(line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+    } else if (style_ == ProgressStyle::openjd) {
+        print(fmt::format("openjd_progress: {:.1f}\nopenjd_status: wrote {} ({} of {})\n",
+                          100 * double(done_) / double(total_), file, done_, total_));
     } else if (style_ != ProgressStyle::none && (!bar_ || done_ == total_)) {
         erase_bar();
         print(total_ == 1 ? fmt::format("wrote {} in {}\n", file, duration(seconds))

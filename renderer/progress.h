@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person (or a farm) sees while frames are made: a bar that redraws itself on a terminal, a line a frame
-// elsewhere, JSON lines for programs. All of it goes to standard error.
+// elsewhere, JSON lines for programs, the lines of Open Job Description for farms. All of it goes to standard error.
 #pragma once
 #include "renderer/timing.h"
 
@@ -11,7 +11,7 @@
 
 namespace proxima {
 
-enum class ProgressStyle { automatic, plain, json, none };
+enum class ProgressStyle { automatic, bar, plain, json, openjd, none };
 
 class Progress {
 public:

@@ -163,7 +163,7 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
          "--declare Name=red: the value is neither a number nor a text in double quotes; write 'Name=\"red\"' with the "
          "quotes"},
         {{"--bits", "12"}, "--bits 12: this type of file does not hold it; it holds 8, 16"},
-        {{"--progress", "loud"}, "--progress loud: not one of auto, json, none, plain"},
+        {{"--progress", "loud"}, "--progress loud: not one of auto, bar, json, none, openjd, plain"},
     };
     for (const Row& row : rows) {
         CAPTURE(row.message);

@@ -97,6 +97,12 @@ TEST_CASE(
         CHECK(nlohmann::json::parse(line)["done"] == ++count);
     CHECK(count == 3);
     CHECK(with("none").empty());
+    const std::string farm = with("openjd");
+    for (const char* line : {"openjd_progress: 0\n", "openjd_progress: 33.3\n", "openjd_progress: 100.0\n",
+                             "openjd_status: wrote a.0002.png (2 of 3)\n"})
+        CHECK_MESSAGE(says(farm, line), farm);
+    CHECK(says(work.render({"missing.scn", "--progress", "openjd"}).standard_error, "openjd_fail: missing.scn: "));
+    CHECK(says(with("bar"), "\r[="));
 }
 
 TEST_CASE("program: check counts what is in a scene") {
