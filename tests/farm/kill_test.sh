@@ -9,12 +9,12 @@ count=$3
 D=$(mktemp -d /tmp/proxima_kill.XXXXXX)
 trap 'rm -rf "$D"' EXIT
 mkdir "$D/killed" "$D/plain"
-render() { # FOLDER [OPTION...]
+render() ( # FOLDER [OPTION...]; a process of its own, which becomes the renderer: that is who is killed
     local folder=$1
     shift
-    "$proxima" render "$scene" -o "$D/$folder/f.##.$ending" --frames 1-12 --cyclic --size 320x240 --device cpu \
+    exec "$proxima" render "$scene" -o "$D/$folder/f.##.$ending" --frames 1-12 --cyclic --size 320x240 --device cpu \
         --progress none "$@"
-}
+)
 RANDOM=7
 endings=(exr png tif jpg)
 kills=0 finished=0 rounds=0
