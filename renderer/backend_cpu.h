@@ -42,6 +42,7 @@ public:
     MemoryMeter& memory() { return memory_; }
     uint64_t available_memory() const { return uint64_t(sysconf(_SC_AVPHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE)); }
     void activate() {}
+    void expect_copies_from(CpuBackend&) {}
     void synchronize() {}
 
     /// Any thread: what for_each is doing ends soon, unfinished, and it does nothing more.
@@ -126,6 +127,12 @@ public:
         resize(count);
         T* data = data_;
         backend_->for_each(uint32_t(count), [&, data](uint32_t i) { new (data + i) T(convert(i)); });
+    }
+    /// Becomes a copy of another device's memory.
+    void copy_from(CpuBackend&, std::span<const T> source) {
+        resize(source.size());
+        if (!source.empty())
+            std::memcpy(static_cast<void*>(data_), source.data(), source.size_bytes());
     }
     void download(T* out) const {
         if (size_ > 0)

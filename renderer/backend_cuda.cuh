@@ -63,6 +63,16 @@ public:
     MemoryMeter& memory() { return memory_; }
     /// Makes the device current in the calling thread.
     void activate() { cuda_check(cudaSetDevice(ordinal_)); }
+    /// Lets the other device's memory be copied without a way through the host, where the two can do that.
+    void expect_copies_from(CudaBackend& other) {
+        int can = 0;
+        if (other.ordinal_ == ordinal_ || cudaDeviceCanAccessPeer(&can, ordinal_, other.ordinal_) != cudaSuccess ||
+            !can)
+            return;
+        activate();
+        cudaDeviceEnablePeerAccess(other.ordinal_, 0);
+        cudaGetLastError(); // it may have been enabled before
+    }
     uint64_t available_memory() const {
         size_t free = 0, total = 0;
         cuda_check(cudaMemGetInfo(&free, &total));
@@ -189,6 +199,13 @@ public:
             cuda_check(cudaMemcpyAsync(data() + first, staging, n * sizeof(T), cudaMemcpyHostToDevice, stream()));
             backend_->synchronize();
         }
+    }
+    /// Becomes a copy of another device's memory.
+    void copy_from(CudaBackend& other, std::span<const T> source) {
+        resize(source.size());
+        if (!source.empty())
+            cuda_check(cudaMemcpyPeerAsync(data(), backend_->ordinal_, source.data(), other.ordinal_,
+                                           source.size_bytes(), stream()));
     }
     void download(T* out) const {
         if (size_ == 0)

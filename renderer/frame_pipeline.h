@@ -7,24 +7,38 @@
 #include "renderer/device_scene.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_builder.h"
+#include "renderer/grid_copy.h"
 #include "renderer/step_clock.h"
 
 #include <optional>
+#include <stdexcept>
 
 namespace proxima {
+
+/// The device that builds for another one failed.
+struct BuilderFailed : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
         : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend), sum_(backend),
           pending_states_(backend), pending_interiors_(backend), overflows_(backend), hits_(backend), shadows_(backend),
-          choice_(Backend::fewest_for_cloud), clock_(backend) {}
+          choice_(Backend::fewest_for_cloud), clock_(backend), copy_(backend) {}
 
     void set_scene(const SceneProgram& program) {
         scene_.upload(program);
         moved_to_.reset();
         built_for_.reset();
         grid_.forget();
+    }
+
+    /// `builder` has the same scene on another device and builds for this one; null for nobody.
+    void relay_from(FramePipeline* builder) {
+        builder_ = builder;
+        if (builder)
+            backend_.expect_copies_from(builder->backend_);
     }
 
     /// The scene at each of `times`, and their mean; as it was evaluated without any.
@@ -90,6 +104,7 @@ private:
         return step == FrameStep::motion  ? statistics.motion_ms
                : step == FrameStep::build ? statistics.build_ms
                : step == FrameStep::map   ? statistics.cloud_ms
+               : step == FrameStep::relay ? statistics.relay_ms
                : step == FrameStep::trace ? statistics.trace_ms
                                           : statistics.readback_ms;
     }
@@ -117,25 +132,28 @@ private:
         bool is_new = settings.rows.count == 0 || built_for_ != whole;
         built_for_.reset();
         do {
-            if (is_new)
+            if (is_new && builder_)
+                take_over(whole, statistics);
+            else if (is_new)
                 build(whole);
             step(FrameStep::trace, [&] {
                 trace(built_, film, settings.antialiasing);
                 backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
             });
             finish_steps(statistics);
-            is_new = built_.grid.in_use() && !grid_.is_complete();
+            is_new = !builder_ && is_incomplete();
         } while (is_new);
         built_for_ = whole;
-        grid_.report(built_.grid, statistics);
+        (builder_ ? builder_->grid_ : grid_).report(built_.grid, statistics);
         statistics.method = built_.grid.cloud.in_use() ? "cloud" : built_.grid.in_use() ? "grid" : "brute";
     }
 
+    /// After finish_steps(): whether the grid was given too little room.
+    bool is_incomplete() { return built_.grid.in_use() && !grid_.is_complete(); }
+
     /// The scene's grid, and its cloud if it is to have one.
     void build(const FrameSettings& settings) {
-        built_ = scene_.view();
-        if (settings.tolerances == Tolerances::povray)
-            built_.limits = HitLimits<Real>::povray();
+        begin_scene(settings);
         step(FrameStep::build, [&] {
             grid_.find_bounds(built_.geometry);
             if (uses_grid(settings, built_))
@@ -143,6 +161,36 @@ private:
         });
         if (built_.grid.cloud.in_use())
             step(FrameStep::map, [&] { grid_.build_distances(built_); });
+    }
+
+    void begin_scene(const FrameSettings& settings) {
+        built_ = scene_.view();
+        if (settings.tolerances == Tolerances::povray)
+            built_.limits = HitLimits<Real>::povray();
+    }
+
+    /// The same, with the grid that the builder makes.
+    void take_over(const FrameSettings& settings, FrameStatistics& statistics) {
+        try {
+            builder_->backend_.activate();
+            builder_->build_for_other(moved_to_, settings, watch_ ? watch_->builder() : nullptr, statistics);
+        } catch (const DeviceError& error) {
+            throw BuilderFailed(error.what());
+        }
+        backend_.activate();
+        begin_scene(settings);
+        step(FrameStep::relay, [&] { copy_.take(built_, builder_->built_, builder_->backend_); });
+    }
+    void build_for_other(const std::optional<MotionTime>& time, const FrameSettings& settings, StepWatch* watch,
+                         FrameStatistics& statistics) {
+        watch_ = watch;
+        clock_.clear();
+        if (time)
+            move(*time);
+        do {
+            build(settings);
+            finish_steps(statistics);
+        } while (is_incomplete());
     }
 
     FilmView make_film(const FrameSettings& settings) {
@@ -312,6 +360,8 @@ private:
     CloudChoice choice_;
     StepWatch* watch_ = nullptr;
     StepClock<Backend> clock_;
+    FramePipeline* builder_ = nullptr;
+    GridCopy<Backend> copy_;                 ///< of its grid
     std::optional<MotionTime> moved_to_;     ///< none: the time of the script's evaluation
     SceneView<Real> built_;                  ///< the scene at that time, with its grid
     std::optional<FrameSettings> built_for_; ///< of all rows

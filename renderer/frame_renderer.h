@@ -74,19 +74,21 @@ struct FrameStatistics {
     Metric metric = Metric::chessboard;
     uint32_t brick = 0;       ///< voxels along a brick of the cloud
     double mean_distance = 0; ///< over the cloud's empty bricks, in bricks
-    double motion_ms = 0, build_ms = 0, cloud_ms = 0, trace_ms = 0, readback_ms = 0;
+    double motion_ms = 0, build_ms = 0, cloud_ms = 0, relay_ms = 0, trace_ms = 0, readback_ms = 0;
     uint64_t peak_device_bytes = 0;
+    std::string note; ///< for the user: what went otherwise than it was to
 
     /// What another part of the same frame took; the grid's figures are its own.
     void add(const FrameStatistics& part) {
-        const double times[5] = {motion_ms, build_ms, cloud_ms, trace_ms, readback_ms};
+        const double times[6] = {motion_ms, build_ms, cloud_ms, relay_ms, trace_ms, readback_ms};
         const uint64_t peak = peak_device_bytes;
         *this = part;
         motion_ms += times[0];
         build_ms += times[1];
         cloud_ms += times[2];
-        trace_ms += times[3];
-        readback_ms += times[4];
+        relay_ms += times[3];
+        trace_ms += times[4];
+        readback_ms += times[5];
         peak_device_bytes = peak > peak_device_bytes ? peak : peak_device_bytes;
     }
 };
@@ -122,6 +124,9 @@ public:
 
     /// Who is told of the steps of the frames to come; null for nobody. It must outlive them.
     virtual void set_watch(StepWatch*) {}
+    /// From the next scene on, `builder`, a renderer of the same kind on another device, builds the grids that this one
+    /// traces. When it fails, this one goes on alone, and the frame's statistics say so.
+    virtual void relay_from(std::unique_ptr<FrameRenderer>) {}
     /// Any thread: the frame that is being rendered, or else the next one, ends soon by FrameCancelled, and the
     /// renderer is of no more use.
     virtual void cancel() {}

@@ -135,7 +135,8 @@ void FrameScheduler::report(const RenderWorker& worker, const std::optional<Fram
 
 void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task,
                             std::weak_ptr<const SceneProgram>& held) {
-    FrameWatch watch(config_.watch, worker.device, task.frame);
+    FrameWatch builder_watch(config_.watch, worker.builder, task.frame);
+    FrameWatch watch(config_.watch, worker.device, task.frame, worker.builder.empty() ? nullptr : &builder_watch);
     const WatchedRenderer watched(*worker.renderer, &watch);
     const Stopwatch stopwatch;
     if (task.scene && !is_same(held, task.scene)) {
@@ -156,6 +157,8 @@ void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task
                 throw;
         }
     }
+    if (!statistics.note.empty())
+        config_.note(fmt::format("{}: {}", worker.device, statistics.note));
     const double milliseconds = stopwatch.milliseconds(); // waiting for the writer says nothing about the device
     if (task.assembly->add(worker.device, statistics))
         hand_over(task.assembly->release(config_.describe(task), task.index));

@@ -25,6 +25,7 @@ struct RenderWorker {
     std::unique_ptr<FrameRenderer> renderer;              ///< null: made by the worker, when its work begins
     std::function<std::unique_ptr<FrameRenderer>()> make; ///< needed when there is no renderer
     uint32_t most_rows = 0;                               ///< that its memory is enough for; 0: any number
+    std::string builder{};                                ///< the device that builds for this one, when one does
     bool left = false;                                    ///< it takes no more frames
 };
 

@@ -8,9 +8,9 @@
 
 namespace proxima {
 
-enum class FrameStep { motion, build, map, trace, read_back, color, encode, write };
+enum class FrameStep { motion, build, map, relay, trace, read_back, color, encode, write };
 
-inline constexpr std::array<const char*, 8> frame_step_names{"motion",    "build", "map",    "trace",
+inline constexpr std::array<const char*, 9> frame_step_names{"motion",    "build", "map",    "relay", "trace",
                                                              "read-back", "color", "encode", "write"};
 
 inline const char* name_of(FrameStep step) {
@@ -25,6 +25,8 @@ public:
     virtual ~StepWatch() = default;
     virtual void begin(FrameStep) {}
     virtual void end(FrameStep, Time /*begin*/, Time /*end*/) {}
+    /// Who is told of what another device does for the frame.
+    virtual StepWatch* builder() { return this; }
 };
 
 /// Takes a step: tells `watch`, which may be null, and adds the milliseconds to `total`.

@@ -15,8 +15,11 @@ struct RunWatch {
 
 class FrameWatch : public StepWatch {
 public:
-    FrameWatch(RunWatch run, std::string device, int64_t frame)
-        : run_(run), device_(std::move(device)), frame_(frame) {}
+    /// `builder` watches the device that builds for this one, if there is one.
+    FrameWatch(RunWatch run, std::string device, int64_t frame, StepWatch* builder = nullptr)
+        : run_(run), device_(std::move(device)), frame_(frame), builder_(builder) {}
+
+    StepWatch* builder() override { return builder_ ? builder_ : this; }
 
     void begin(FrameStep step) override {
         if (run_.faults)
@@ -27,6 +30,7 @@ private:
     RunWatch run_;
     std::string device_;
     int64_t frame_;
+    StepWatch* builder_;
 };
 
 } // namespace proxima

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/render_workers.h"
+#include "renderer/errors.h"
 #include "renderer/frame_assembly.h"
 
 #include <algorithm>
@@ -24,13 +25,42 @@ std::vector<RenderWorker> workers_on(std::vector<StartedDevice> devices, const M
     return workers;
 }
 
+/// The first device builds what the others trace: each worker has a tracer, and a builder of its own on the first one.
+/// Two of them on every device, so that one frame is built while another is traced.
+std::vector<RenderWorker> relay_workers(std::vector<StartedDevice> devices, const MultiGpuOptions& options) {
+    const ChosenDevice builder = devices.front().device;
+    if (devices.size() < 2)
+        throw UsageError("--multi-gpu relay: one device builds for the others; give --device at least two");
+    std::vector<RenderWorker> workers;
+    for (auto tracer = devices.begin() + 1; tracer != devices.end(); ++tracer) {
+        if (tracer->device.is_gpu != builder.is_gpu)
+            throw UsageError(
+                "--multi-gpu relay: a GPU and the CPU do not build for each other; give --device GPUs only");
+        const auto make = [builder = builder.make, tracer = tracer->device.make] {
+            std::unique_ptr<FrameRenderer> renderer = tracer();
+            renderer->relay_from(builder());
+            return renderer;
+        };
+        for (unsigned i = 0; i < std::max(2u, options.in_flight); ++i) {
+            workers.push_back({tracer->device.name, nullptr, make});
+            workers.back().builder = builder.name;
+        }
+    }
+    return workers;
+}
+
 } // namespace
 
 WorkPlan plan_work(std::vector<StartedDevice> devices, const MultiGpuOptions& options, const FrameSettings& settings,
                    size_t frames) {
     WorkPlan plan;
     const uint64_t pixels = uint64_t(settings.width) * settings.height;
-    if (choose_multi_gpu(options.mode, devices.size(), frames, pixels) == MultiGpu::tiles)
+    const MultiGpu mode = choose_multi_gpu(options.mode, devices.size(), frames, pixels);
+    if (mode == MultiGpu::relay) {
+        plan.workers = relay_workers(std::move(devices), options);
+        return plan;
+    }
+    if (mode == MultiGpu::tiles)
         plan.bands = options.tile_rows ? cut_into_bands(settings.band(), options.tile_rows)
                                        : cut_into_bands(settings.height, devices.size());
     plan.workers = workers_on(std::move(devices), options, frames * plan.bands.size());

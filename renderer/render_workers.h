@@ -15,7 +15,7 @@ struct WorkPlan {
     std::vector<Rows> bands{Rows{}}; ///< of every frame
 };
 
-/// Plans the work on `frames` frames.
+/// Plans the work on `frames` frames. Throws UsageError when the devices cannot work together as `options` say.
 WorkPlan plan_work(std::vector<StartedDevice> devices, const MultiGpuOptions& options, const FrameSettings& settings,
                    size_t frames);
 

@@ -38,6 +38,7 @@ Json frame_json(const FrameRecord& record) {
             {"motion_ms", statistics.motion_ms},
             {"build_ms", statistics.build_ms},
             {"cloud_ms", statistics.cloud_ms},
+            {"relay_ms", statistics.relay_ms},
             {"trace_ms", statistics.trace_ms},
             {"readback_ms", statistics.readback_ms},
             {"color_ms", record.color_ms},

@@ -372,3 +372,21 @@ TEST_CASE_TEMPLATE("frame: whoever watches is told of every step, in order", Bac
     CHECK(watch.begun == std::vector{FrameStep::build, FrameStep::map, FrameStep::trace, FrameStep::read_back});
     CHECK(watch.ended == watch.begun);
 }
+
+TEST_CASE_TEMPLATE("frame: a picture is the same in a grid that another device has built", Backend, BACKENDS) {
+    const SceneProgram scene = random_scene(3, {.spheres = 300, .radius = 0.1, .mirrors = true});
+    for (const Accelerator accelerator : {Accelerator::grid, Accelerator::cloud, Accelerator::brute})
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+            FrameSettings settings;
+            settings.width = 83;
+            settings.height = 61;
+            settings.accelerator = accelerator;
+            settings.precision = precision;
+            const auto alone = make_renderer<Backend>(), tracer = make_renderer<Backend>();
+            tracer->relay_from(make_renderer<Backend>());
+            FrameStatistics statistics;
+            CHECK(same_bits(render(*alone, scene, settings), render(*tracer, scene, settings, &statistics)));
+            CHECK(statistics.relay_ms > 0);
+            CHECK(statistics.note.empty());
+        }
+}

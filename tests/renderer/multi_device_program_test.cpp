@@ -126,7 +126,7 @@ TEST_CASE("devices: two give the same bytes as one, in every mode") {
         REQUIRE(work.render("one", devices().one, way).exit_code == 0);
         const Frames one = work.frames("one");
         CHECK(one.size() == frame_count);
-        for (const std::string mode : {"frames", "tiles"}) {
+        for (const std::string mode : {"frames", "tiles", "relay"}) {
             CAPTURE(mode);
             std::vector<std::string> arguments = way;
             arguments.insert(arguments.end(), {"--multi-gpu", mode});
@@ -178,6 +178,23 @@ TEST_CASE("devices: a fault at any step of a frame leaves the frame to the other
             }
 }
 
+TEST_CASE("devices: one whose builder fails builds for itself") {
+    const Workplace work;
+    REQUIRE(work.render("one", devices().one).exit_code == 0);
+    for (const std::string step : {"build", "map"}) {
+        CAPTURE(step);
+        const ProcessResult run = work.render(
+            "two", devices().two, {"--accel", "cloud", "--multi-gpu", "relay", "--inject", "gpu-lost@frame3:" + step});
+        CHECK(run.exit_code == 0);
+        CHECK(says(run, "builds no more grids for this device: the device was lost"));
+        CHECK(work.frames("two") == work.frames("one"));
+    }
+    const ProcessResult run = // the tracers die, of whom there are two in flight
+        work.render("two", devices().two, {"--multi-gpu", "relay", "--inject", "gpu-lost@frame3:relay*99"});
+    CHECK(run.exit_code == exit_try_elsewhere);
+    CHECK(is_part(work.frames("two"), work.frames("one")));
+}
+
 TEST_CASE("devices: with none left, every finished frame is whole, and the exit code says what to do") {
     const Workplace work;
     REQUIRE(work.render("one", devices().one).exit_code == 0);
@@ -214,7 +231,10 @@ TEST_CASE("devices: one that is asked for by name and missing is exit code 2") {
     CHECK(run.exit_code == 2);
     CHECK(says(run, "--device cuda:99: there is no device cuda:99"));
     CHECK(work.frames("none").empty());
-    for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
-             {"--multi-gpu", "title"}, {"--inject", "fire"}, {"--tile-rows", "33"}, {"--in-flight", "0"}})
+    for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{{"--multi-gpu", "title"},
+                                                                                       {"--multi-gpu", "relay"},
+                                                                                       {"--inject", "fire"},
+                                                                                       {"--tile-rows", "33"},
+                                                                                       {"--in-flight", "0"}})
         CHECK(work.render("none", "cpu", wrong).exit_code == 2);
 }
