@@ -3,6 +3,7 @@
 #pragma once
 #include "kernels/platform.h"
 #include "renderer/device_error.h"
+#include "renderer/image.h"
 #include "renderer/memory_meter.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ public:
     MemoryMeter& memory() { return memory_; }
     uint64_t available_memory() const { return uint64_t(sysconf(_SC_AVPHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE)); }
     void activate() {}
+    PageLock lock_pages(void*, size_t) { return {}; }
     void expect_copies_from(CpuBackend&) {}
     void synchronize() {}
 

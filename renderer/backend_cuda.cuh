@@ -4,6 +4,7 @@
 #pragma once
 #include "kernels/platform.h"
 #include "renderer/cuda_check.h"
+#include "renderer/image.h"
 #include "renderer/memory_meter.h"
 
 #include <algorithm>
@@ -63,6 +64,13 @@ public:
     MemoryMeter& memory() { return memory_; }
     /// Makes the device current in the calling thread.
     void activate() { cuda_check(cudaSetDevice(ordinal_)); }
+    /// For all devices. Nothing is locked when the system does not allow it; copies then take longer.
+    PageLock lock_pages(void* memory, size_t bytes) {
+        if (cudaHostRegister(memory, bytes, cudaHostRegisterPortable) == cudaSuccess)
+            return {memory, [](void* locked) { cudaHostUnregister(locked); }};
+        cudaGetLastError();
+        return {};
+    }
     /// Lets the other device's memory be copied without a way through the host, where the two can do that.
     void expect_copies_from(CudaBackend& other) {
         int can = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/color.h"
+#include "kernels/half.h"
 #include "parser/source_files.h"
 #include "renderer/color_config.h"
 #include "renderer/errors.h"
@@ -14,8 +15,6 @@
 
 namespace proxima {
 namespace {
-
-constexpr float largest_half = 65504.0f;
 
 /// OpenColorIO's default, but with exact logarithms and powers: levels must be POV-Ray's.
 constexpr auto optimization =

@@ -7,11 +7,14 @@
 
 namespace proxima {
 
-Image& FrameAssembly::image(FrameWriter& writer, const FrameSettings& settings) {
+Image& FrameAssembly::image(FrameWriter& writer, const FrameSettings& settings, FrameRenderer& renderer) {
     const std::lock_guard lock(mutex_);
     if (!image_) {
         image_ = writer.take_image();
-        image_->fit(settings.width, settings.height);
+        const bool is_used_again = image_->bytes() > 0;
+        image_->fit(settings.width, settings.height, settings.in_halves);
+        if (is_used_again)
+            renderer.lock_pages(*image_);
     }
     return *image_;
 }

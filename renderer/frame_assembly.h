@@ -17,8 +17,9 @@ class FrameAssembly {
 public:
     explicit FrameAssembly(size_t bands) : bands_left_(bands) {}
 
-    /// The picture that the bands are rendered into; the first caller takes it from the writer.
-    Image& image(FrameWriter& writer, const FrameSettings& settings);
+    /// The picture that the bands are rendered into; the first caller takes it from the writer, and `renderer` prepares
+    /// it if it has been used before.
+    Image& image(FrameWriter& writer, const FrameSettings& settings, FrameRenderer& renderer);
     /// `device` finished a band. True for the last one: the frame is complete, and release() gives it out.
     bool add(const std::string& device, const FrameStatistics& band);
     /// The picture, and what it took: times are summed up over the bands, and the devices are listed.

@@ -25,8 +25,10 @@ void FrameFinisher::start(Progress& progress, RunWatch watch) {
 
 void FrameFinisher::operator()(FinishedFrame& frame) {
     FrameRecord& record = frame.record;
+    if (options_.multi_gpu.discard)
+        return;
     record.hash = hash_.of(record.frame, record.scene, backend_of(record.device));
-    FrameWatch watch(watch_, "writer", record.frame);
+    FrameWatch watch(watch_, Timeline::writer, record.frame);
     take_step(&watch, FrameStep::color, record.color_ms, [&] { prepare(frame); });
     report(record);
     if (holds_animation(options_.output->format())) {
@@ -41,6 +43,11 @@ void FrameFinisher::operator()(FinishedFrame& frame) {
 }
 
 void FrameFinisher::prepare(FinishedFrame& frame) {
+    if (!frame.image.halves.empty()) { // the device has done it
+        frame.record.replaced_samples = frame.record.statistics.replaced_samples;
+        frame.record.clamped_samples = frame.record.statistics.clamped_samples;
+        return;
+    }
     frame.record.replaced_samples = replace_non_finite(frame.image);
     color_.apply(frame.image);
     if (options_.type == SampleType::half)

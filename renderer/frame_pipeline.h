@@ -2,6 +2,7 @@
 // A frame, written once for every backend: bounds, grid, trace, resolve, read back. A scene and settings come in; the
 // picture and what it took go out.
 #pragma once
+#include "kernels/half.h"
 #include "renderer/antialiaser.h"
 #include "renderer/cloud_choice.h"
 #include "renderer/device_scene.h"
@@ -24,8 +25,9 @@ template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
         : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend), sum_(backend),
-          pending_states_(backend), pending_interiors_(backend), overflows_(backend), hits_(backend), shadows_(backend),
-          choice_(Backend::fewest_for_cloud), clock_(backend), copy_(backend) {}
+          halves_(backend), repairs_(backend), pending_states_(backend), pending_interiors_(backend),
+          overflows_(backend), hits_(backend), shadows_(backend), choice_(Backend::fewest_for_cloud), clock_(backend),
+          copy_(backend) {}
 
     void set_scene(const SceneProgram& program) {
         scene_.upload(program);
@@ -56,7 +58,7 @@ public:
     }
 
 private:
-    static constexpr uint64_t most_pixels = 1ull << 31; ///< kernels count in 32 bits
+    static constexpr uint64_t most_pixels = (1ull << 32) / 3; ///< kernels count samples in 32 bits
     template <class T> using Buffer = typename Backend::template Buffer<T>;
     using WaitingPrecision = PathPrecision<Real, Features::all>;
     using WaitingPath = PathState<Real, WaitingPrecision>;
@@ -77,7 +79,7 @@ private:
         }
         if (scene_.take_motion_failure())
             throw MotionUndefined("a sphere");
-        step(FrameStep::read_back, [&] { read_back(film, image); });
+        step(FrameStep::read_back, [&] { read_back(settings, film, image, statistics); });
         finish_steps(statistics);
         statistics.peak_device_bytes = backend_.memory().peak();
         return statistics;
@@ -196,7 +198,7 @@ private:
     FilmView make_film(const FrameSettings& settings) {
         const Rows band = settings.band();
         if (uint64_t(settings.width) * band.count > most_pixels)
-            throw DeviceError(DeviceError::Kind::out_of_memory, "a picture may have at most 2^31 pixels");
+            throw DeviceError(DeviceError::Kind::out_of_memory, "at most 2^32 / 3 pixels can be rendered at a time");
         film_.resize(size_t(settings.width) * band.count);
         FilmView film{film_.view(), settings.width, band.count, settings.samples};
         film.first_row = band.first;
@@ -217,6 +219,7 @@ private:
         sum_.free();
         hits_.free();
         shadows_.free();
+        halves_.free();
         pending_states_.free();
         pending_interiors_.free();
         antialiaser_.free();
@@ -340,10 +343,20 @@ private:
                                                             " transparent objects at once, which is the limit");
     }
 
-    void read_back(const FilmView& film, Image& image) {
+    void read_back(const FrameSettings& settings, const FilmView& film, Image& image, FrameStatistics& statistics) {
         static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-        image.fit(film.columns(), film.rows());
-        film_.download(reinterpret_cast<glm::vec3*>(image.row(film.first_row)));
+        image.fit(film.columns(), film.rows(), settings.in_halves);
+        if (!settings.in_halves)
+            return film_.download(reinterpret_cast<glm::vec3*>(image.row(film.first_row)));
+        const std::span<const float> samples(&film.pixels.data()->x, film.pixels.size() * 3);
+        halves_.resize(samples.size());
+        repairs_.resize(1);
+        repairs_.fill_bytes(0);
+        backend_.for_each(uint32_t(samples.size()), HalveSamples{samples, halves_.view(), repairs_.view()});
+        halves_.download(image.row_of_halves(film.first_row));
+        const SampleRepairs repairs = repairs_.read(0);
+        statistics.replaced_samples = repairs.replaced;
+        statistics.clamped_samples = repairs.clamped;
     }
 
     Backend& backend_;
@@ -352,6 +365,8 @@ private:
     Antialiaser<Backend> antialiaser_;
     Buffer<glm::vec3> film_;
     Buffer<glm::vec3> sum_; ///< of exposures
+    Buffer<uint16_t> halves_;
+    Buffer<SampleRepairs> repairs_;
     Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;
     Buffer<uint32_t> overflows_;

@@ -46,8 +46,9 @@ struct Rows {
 struct FrameSettings {
     uint32_t width = 640;
     uint32_t height = 480;
-    Rows rows;            ///< what of the picture to render: the numbers are the same however it is cut
-    uint32_t samples = 1; ///< rays a pixel; 1 is the pixel's centre
+    Rows rows;              ///< what of the picture to render: the numbers are the same however it is cut
+    bool in_halves = false; ///< the image gets half-floats, rounded and repaired on the device: see HalveSamples
+    uint32_t samples = 1;   ///< rays a pixel; 1 is the pixel's centre
     Antialiasing antialiasing;
     Precision precision = Precision::float32;
     Tolerances tolerances = Tolerances::exact;
@@ -76,12 +77,13 @@ struct FrameStatistics {
     double mean_distance = 0; ///< over the cloud's empty bricks, in bricks
     double motion_ms = 0, build_ms = 0, cloud_ms = 0, relay_ms = 0, trace_ms = 0, readback_ms = 0;
     uint64_t peak_device_bytes = 0;
-    std::string note; ///< for the user: what went otherwise than it was to
+    uint64_t replaced_samples = 0, clamped_samples = 0; ///< of an image in halves
+    std::string note;                                   ///< for the user: what went otherwise than it was to
 
     /// What another part of the same frame took; the grid's figures are its own.
     void add(const FrameStatistics& part) {
         const double times[6] = {motion_ms, build_ms, cloud_ms, relay_ms, trace_ms, readback_ms};
-        const uint64_t peak = peak_device_bytes;
+        const uint64_t peak = peak_device_bytes, replaced = replaced_samples, clamped = clamped_samples;
         *this = part;
         motion_ms += times[0];
         build_ms += times[1];
@@ -89,6 +91,8 @@ struct FrameStatistics {
         relay_ms += times[3];
         trace_ms += times[4];
         readback_ms += times[5];
+        replaced_samples += replaced;
+        clamped_samples += clamped;
         peak_device_bytes = peak > peak_device_bytes ? peak : peak_device_bytes;
     }
 };
@@ -127,6 +131,8 @@ public:
     /// From the next scene on, `builder`, a renderer of the same kind on another device, builds the grids that this one
     /// traces. When it fails, this one goes on alone, and the frame's statistics say so.
     virtual void relay_from(std::unique_ptr<FrameRenderer>) {}
+    /// Any thread: makes reading back into an image that is used again and again as fast as the device can.
+    virtual void lock_pages(Image&) {}
     /// Any thread: the frame that is being rendered, or else the next one, ends soon by FrameCancelled, and the
     /// renderer is of no more use.
     virtual void cancel() {}

@@ -143,7 +143,7 @@ void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task
         worker.renderer->set_scene(*task.scene, config_.settings.precision);
         held = task.scene;
     }
-    Image& image = task.assembly->image(writer_, config_.settings);
+    Image& image = task.assembly->image(writer_, config_.settings, *worker.renderer);
     FrameStatistics statistics;
     for (bool retried = false;; retried = true) {
         try {

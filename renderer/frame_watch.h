@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watches the steps of one frame on one device, or behind it: makes planned faults.
+// Watches the steps of one frame on one device, or behind it: makes planned faults, and notes what ran when.
 #pragma once
 #include "renderer/fault_plan.h"
+#include "renderer/timeline.h"
 
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@ namespace proxima {
 /// What watches all frames of a run; null for what does not.
 struct RunWatch {
     FaultPlan* faults = nullptr;
+    Timeline* timeline = nullptr;
 };
 
 class FrameWatch : public StepWatch {
@@ -24,6 +26,10 @@ public:
     void begin(FrameStep step) override {
         if (run_.faults)
             run_.faults->strike(device_, frame_, step);
+    }
+    void end(FrameStep step, Time begin, Time end) override {
+        if (run_.timeline)
+            run_.timeline->add(device_, step, frame_, begin, end);
     }
 
 private:

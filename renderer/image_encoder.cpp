@@ -54,7 +54,7 @@ std::vector<unsigned char> encode(const EncodeRequest& request) {
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = make_output(request.format, memory);
     check(output->open(file_name_of(request.format), describe(request)), *output);
-    const bool is_float = is_scene_linear(request.type);
+    const bool is_float = is_scene_linear(request.type) && !request.samples_are_halves;
     check(output->write_image(is_float ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : file_type(request.type),
                               request.samples),
           *output);

@@ -34,7 +34,8 @@ struct EncodeRequest {
     Compression compression = Compression::zip; ///< of EXR
     uint32_t width = 0;
     uint32_t height = 0;
-    const void* samples = nullptr; ///< uint8_t, uint16_t, or float (for half and float32)
+    const void* samples = nullptr;   ///< uint8_t, uint16_t, or float (for half and float32)
+    bool samples_are_halves = false; ///< bits of half-floats, instead of floats
     ImageFacts facts{};
 };
 

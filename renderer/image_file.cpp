@@ -78,7 +78,8 @@ std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageF
     case SampleType::float32:
         break;
     }
-    request.samples = image.rgb.data();
+    request.samples_are_halves = !image.halves.empty();
+    request.samples = request.samples_are_halves ? static_cast<const void*>(image.halves.data()) : image.rgb.data();
     return encode(request);
 }
 

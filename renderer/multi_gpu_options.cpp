@@ -16,6 +16,7 @@ void add_multi_gpu_options(CLI::App& command, MultiGpuTexts& texts) {
     command.add_option("--in-flight", texts.in_flight)->group(hidden);
     command.add_option("--tile-rows", texts.tile_rows)->group(hidden);
     command.add_option("--inject", texts.inject)->group(hidden);
+    command.add_flag("--discard", texts.discard)->group(hidden);
 }
 
 MultiGpuOptions read_multi_gpu_options(const MultiGpuTexts& texts, const DeviceChoice& device) {
@@ -34,6 +35,7 @@ MultiGpuOptions read_multi_gpu_options(const MultiGpuTexts& texts, const DeviceC
         if (options.tile_rows % Rows::unit != 0)
             throw UsageError(fmt::format("--tile-rows {}: give a multiple of {}", options.tile_rows, Rows::unit));
     }
+    options.discard = texts.discard;
     options.faults = parse_faults(texts.inject);
     return options;
 }

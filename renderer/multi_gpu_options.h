@@ -11,6 +11,7 @@ namespace proxima {
 /// As the user wrote them; empty where absent.
 struct MultiGpuTexts {
     std::string multi_gpu = "auto", in_flight, tile_rows, inject;
+    bool discard = false;
 };
 
 void add_multi_gpu_options(CLI::App& command, MultiGpuTexts& texts);

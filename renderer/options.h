@@ -37,6 +37,7 @@ struct MultiGpuOptions {
     uint32_t in_flight = 0;    ///< frames on each device at once; 0: what suits it
     uint32_t tile_rows = 0;    ///< 0: by the number of devices
     std::vector<Fault> faults; ///< for tests
+    bool discard = false;      ///< for measurements: frames are rendered and read back, and no file is made
 };
 
 struct RenderOptions {
@@ -55,7 +56,7 @@ struct RenderOptions {
     unsigned threads = 0; ///< 0: one for each core that the process may use
     ColorSettings color;
     ProgressStyle progress = ProgressStyle::automatic;
-    std::optional<std::filesystem::path> stats_json;
+    std::optional<std::filesystem::path> stats_json, timeline;
 };
 
 /// Two pictures or sets of pictures; or, with `povray`, a scene that both programs render.

@@ -77,6 +77,7 @@ void add_output_options(CLI::App& command, OutputTexts& texts) {
         .add_option("--progress", texts.progress, "auto, bar, plain, json, openjd or none, on standard error [auto]")
         ->type_name("STYLE");
     command.add_option("--stats-json", texts.stats_json, "Write what each step cost as JSON")->type_name("FILE");
+    command.add_option("--timeline", texts.timeline, "Draw what ran when, on which device: .svg")->type_name("FILE");
 }
 
 void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& options) {
@@ -108,6 +109,8 @@ void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& 
                                                     {"none", ProgressStyle::none}});
     if (!texts.stats_json.empty())
         options.stats_json = texts.stats_json;
+    if (!texts.timeline.empty())
+        options.timeline = texts.timeline;
 }
 
 } // namespace proxima

@@ -8,7 +8,7 @@
 namespace proxima {
 
 struct OutputTexts {
-    std::string output, bits, compression, fps, movie, progress = "auto", stats_json;
+    std::string output, bits, compression, fps, movie, progress = "auto", stats_json, timeline;
     bool dry_run = false, skip_existing = false;
 };
 

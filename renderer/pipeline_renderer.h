@@ -47,6 +47,11 @@ public:
         return statistics;
     }
 
+    void lock_pages(Image& image) override {
+        backend_.activate();
+        if (!image.lock)
+            image.lock = backend_.lock_pages(image.samples(), image.bytes());
+    }
     void set_watch(StepWatch* watch) override { watch_ = watch; }
     void cancel() override { backend_.cancel(); }
 

@@ -45,15 +45,20 @@ size_t skip_complete(const RenderOptions& options, SceneSource& scene, const Fra
 void check_outputs(const RenderOptions& options) {
     for (const int64_t frame : {options.scene.animation.frames.front(), options.scene.animation.frames.back()})
         check_writable(options.output->path(frame));
-    if (options.stats_json)
-        check_writable(*options.stats_json);
+    for (const auto& file : {options.stats_json, options.timeline})
+        if (file)
+            check_writable(*file);
 }
 
-void write_statistics(const RenderOptions& options, const RunRecord& run) {
-    if (!options.stats_json)
-        return;
-    const std::string text = to_json(run);
-    write_file(*options.stats_json, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+void write_text(const std::filesystem::path& path, const std::string& text) {
+    write_file(path, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+void write_statistics(const RenderOptions& options, const RunRecord& run, const Timeline& timeline) {
+    if (options.stats_json)
+        write_text(*options.stats_json, to_json(run, timeline));
+    if (options.timeline)
+        write_text(*options.timeline, to_svg(timeline));
 }
 
 std::vector<std::string> backends_of(const StartedDevices& started) {
@@ -116,7 +121,9 @@ void render_command(const RenderOptions& options) {
                                   animation.initial_clock));
     WorkPlan plan = plan_work(std::move(started.devices), options.multi_gpu, options.frame, animation.frames.size());
     FaultPlan faults(options.multi_gpu.faults);
-    const RunWatch watch{.faults = &faults};
+    Timeline timeline;
+    const bool is_timed = options.timeline || options.stats_json;
+    const RunWatch watch{.faults = &faults, .timeline = is_timed ? &timeline : nullptr};
     finisher.start(progress, watch);
     FrameWriter writer(std::ref(finisher), writer_threads(options),
                        [&](const FrameRecord& record) { finisher.announce(record); });
@@ -144,7 +151,7 @@ void render_command(const RenderOptions& options) {
     run.parse_ms = scene.parse_ms();
     run.evaluate_ms = scene.evaluate_ms();
     run.wall_ms = wall.milliseconds();
-    write_statistics(options, run);
+    write_statistics(options, run, timeline);
     if (device_error)
         std::rethrow_exception(device_error);
     if (stop.caught() && run.frames.size() < animation.frames.size())

@@ -49,9 +49,15 @@ Json frame_json(const FrameRecord& record) {
             {"clamped_samples", record.clamped_samples}};
 }
 
+Json span_json(const Timeline& timeline, const TimelineSpan& span) {
+    return {{"lane", span.lane},         {"device", timeline.lanes()[span.lane]},
+            {"frame", span.frame},       {"step", name_of(span.step)},
+            {"begin_ms", span.begin_ms}, {"end_ms", span.end_ms}};
+}
+
 } // namespace
 
-std::string to_json(const RunRecord& run) {
+std::string to_json(const RunRecord& run, const Timeline& timeline) {
     Json json{{"program", "proxima"},
               {"version", PROXIMA_VERSION},
               {"scene", run.scene},
@@ -67,6 +73,10 @@ std::string to_json(const RunRecord& run) {
               {"frames", Json::array()}};
     for (const FrameRecord& record : run.frames)
         json["frames"].push_back(frame_json(record));
+    json["busy"] = timeline.busy_shares();
+    json["timeline"] = Json::array();
+    for (const TimelineSpan& span : timeline.spans())
+        json["timeline"].push_back(span_json(timeline, span));
     // A path that is not UTF-8 must not end the run.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include "renderer/frame_renderer.h"
 #include "renderer/scene_facts.h"
+#include "renderer/timeline.h"
 
 #include <cstdint>
 #include <string>
@@ -34,7 +35,7 @@ struct RunRecord {
     std::vector<FrameRecord> frames{};
 };
 
-/// The JSON text, ending in a line's end. `peak_host_bytes` is read from the system.
-std::string to_json(const RunRecord& run);
+/// The JSON text, ending in a line's end; with what ran when. `peak_host_bytes` is read from the system.
+std::string to_json(const RunRecord& run, const Timeline& timeline = {});
 
 } // namespace proxima

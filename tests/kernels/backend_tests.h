@@ -5,6 +5,7 @@
 #include "tests/kernels/test_scene.h"
 
 #include "kernels/grid_build.h"
+#include "kernels/half.h"
 
 #include <cstring>
 #include <doctest/doctest.h>
@@ -389,4 +390,25 @@ TEST_CASE_TEMPLATE("frame: a picture is the same in a grid that another device h
             CHECK(statistics.relay_ms > 0);
             CHECK(statistics.note.empty());
         }
+}
+
+TEST_CASE_TEMPLATE("frame: a picture in halves is the picture, rounded", Backend, BACKENDS) {
+    const auto renderer = make_renderer<Backend>();
+    FrameSettings settings;
+    settings.width = 61;
+    settings.height = 70;
+    const Image floats = render(*renderer, random_scene(3, {.spheres = 300}), settings);
+    settings.in_halves = true;
+    Image image;
+    for (const Rows& rows : {Rows{32, 38}, Rows{0, 32}}) {
+        settings.rows = rows;
+        renderer->render(settings, image);
+        renderer->lock_pages(image);
+    }
+    REQUIRE(image.halves.size() == floats.rgb.size());
+    CHECK(image.rgb.empty());
+    uint32_t wrong = 0;
+    for (size_t i = 0; i < floats.rgb.size(); ++i)
+        wrong += image.halves[i] != half_bits(floats.rgb[i]);
+    CHECK(wrong == 0);
 }

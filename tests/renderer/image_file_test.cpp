@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files are read back by OpenImageIO itself.
+#include "kernels/half.h"
 #include "renderer/atomic_file.h"
 #include "renderer/image_file.h"
 #include "renderer/sequence_file.h"
 
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <doctest/doctest.h>
@@ -81,6 +83,16 @@ TEST_CASE("image file: what was written is read back, in every format and type")
             worst = std::max(worst, double(std::abs(file.rgb[i] - image.rgb[i])));
         CHECK(worst <= row.tolerance);
     }
+}
+
+TEST_CASE("image file: a picture in halves makes the file of the same picture in floats") {
+    const Image floats = gradient(37, 23);
+    Image halves;
+    halves.fit(37, 23, true);
+    std::transform(floats.rgb.begin(), floats.rgb.end(), halves.halves.begin(), half_bits);
+    ImageEncoder encoder;
+    const ImageFileSettings settings{.format = ImageFormat::exr, .type = SampleType::half};
+    CHECK(encoder.encode(halves, settings) == encoder.encode(floats, settings));
 }
 
 TEST_CASE("image file: a 16-bit PNG of the Raw view holds the linear numbers") {

@@ -157,6 +157,33 @@ TEST_CASE("devices: records are in order, whoever rendered the frames") {
     CHECK(frame == frame_count);
 }
 
+TEST_CASE("devices: the timeline has every step of every frame, and is drawn") {
+    const Workplace work;
+    REQUIRE(
+        work.render("two", devices().two,
+                    {"--accel", "cloud", "--multi-gpu", "relay", "--stats-json", "run.json", "--timeline", "run.svg"})
+            .exit_code == 0);
+    const nlohmann::json json = work.json("run.json");
+    std::map<std::string, std::set<int>> frames_of;
+    for (const auto& span : json.at("timeline")) {
+        CHECK(span.at("begin_ms") <= span.at("end_ms"));
+        frames_of[span.at("step")].insert(span.at("frame").get<int>());
+        const bool builds = span.at("step") == "build" || span.at("step") == "map";
+        if (builds)
+            CHECK(span.at("device") == devices().one); // the first one, for the others
+    }
+    for (const char* step : {"build", "map", "relay", "trace", "read-back", "color", "encode", "write"})
+        CHECK_MESSAGE(frames_of[step].size() == frame_count, step);
+    CHECK(json.at("busy").contains(devices().one));
+    CHECK(fs::file_size("multi_device_program_test/run.svg") > 1000);
+}
+
+TEST_CASE("devices: frames that are discarded leave no files") {
+    const Workplace work;
+    CHECK(work.render("two", devices().two, {"--discard"}).exit_code == 0);
+    CHECK(work.frames("two").empty());
+}
+
 TEST_CASE("devices: a fault at any step of a frame leaves the frame to the others, and the bytes as they are") {
     const Workplace work;
     REQUIRE(work.render("one", devices().one).exit_code == 0);
