@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/frame_scheduler.h"
+#include "renderer/host_memory.h"
 #include "renderer/timing.h"
 
 #include <chrono>
@@ -160,8 +161,11 @@ void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task
     if (!statistics.note.empty())
         config_.note(fmt::format("{}: {}", worker.device, statistics.note));
     const double milliseconds = stopwatch.milliseconds(); // waiting for the writer says nothing about the device
-    if (task.assembly->add(worker.device, statistics))
-        hand_over(task.assembly->release(config_.describe(task), task.index));
+    if (task.assembly->add(worker.device, statistics)) {
+        FrameRecord record = config_.describe(task);
+        record.host_bytes = host_bytes();
+        hand_over(task.assembly->release(std::move(record), task.index));
+    }
     queue_.finish(number, milliseconds);
 }
 

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/statistics_json.h"
+#include "renderer/host_memory.h"
 
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 namespace proxima {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-uint64_t peak_host_bytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return uint64_t(usage.ru_maxrss) * 1024; // Linux counts in KiB
-}
 
 /// Null without a cloud.
 Json metric_json(const FrameStatistics& statistics) {
@@ -45,6 +39,7 @@ Json frame_json(const FrameRecord& record) {
             {"encode_ms", record.encode_ms},
             {"write_ms", record.write_ms},
             {"peak_device_bytes", statistics.peak_device_bytes},
+            {"host_bytes", record.host_bytes},
             {"replaced_samples", record.replaced_samples},
             {"clamped_samples", record.clamped_samples}};
 }

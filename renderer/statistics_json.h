@@ -21,6 +21,7 @@ struct FrameRecord {
     FrameStatistics statistics{};
     uint64_t replaced_samples = 0; ///< not finite, see replace_non_finite
     uint64_t clamped_samples = 0;  ///< beyond what a half holds
+    uint64_t host_bytes = 0; ///< resident when the frame was rendered
     double color_ms = 0, encode_ms = 0, write_ms = 0;
 };
 
