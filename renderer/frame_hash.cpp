@@ -16,8 +16,8 @@ std::string bits(double value) {
 
 std::string describe(const FrameSettings& settings) {
     // How many members there are: a new one stops the compilation here. Does it change the picture? Then it belongs
-    // into the text below; rows, accelerator, grid, metric and brick do not.
-    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11] = settings;
+    // into the text below; rows, in_halves, accelerator, grid, metric and brick do not.
+    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12] = settings;
     const Antialiasing& antialiasing = settings.antialiasing;
     return fmt::format("size {}x{} samples {} antialias {} {} {} precision {} tolerances {}", settings.width,
                        settings.height, settings.samples, int(antialiasing.method), bits(antialiasing.threshold),
