@@ -106,7 +106,7 @@ void say(const std::string& what, const std::string& found) {
 }
 
 void measure_throughput(const Setup& setup) {
-    const std::vector<std::string> arguments{"--declare", declare(setup.count),   "--size",   "1920x1080",
+    const std::vector<std::string> arguments{"--declare", declare(setup.count),   "--size",   setup.size,
                                              "-o",        "discarded.######.exr", "--discard"};
     const Figures one = render(setup, setup.one, "swarm.scn", setup.frames, arguments);
     const Figures two = render(setup, setup.two, "swarm.scn", setup.frames, arguments);
@@ -198,7 +198,7 @@ void measure_relay(const Setup& setup) {
                         {"uniform.scn", 4 * setup.count, "grid"}};
     const unsigned frames = std::max(20u, setup.frames / 40);
     for (const Row& row : rows) {
-        const std::vector<std::string> arguments{"--declare", declare(row.count),     "--size",    "1920x1080",
+        const std::vector<std::string> arguments{"--declare", declare(row.count),     "--size",    setup.size,
                                                  "-o",        "discarded.######.exr", "--discard", "--accel",
                                                  row.method};
         const auto run = [&](const std::string& devices, std::vector<std::string> more) {
