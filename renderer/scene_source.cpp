@@ -43,10 +43,12 @@ SceneFacts SceneSource::facts(int64_t frame) {
         if (std::ranges::any_of(program_->motion.fields,
                                 [](const MotionField& field) { return field.table == MotionField::Table::camera; }))
             moving_camera_ = *program_;
+        camera_ = program_->camera; // the program may be released before the next frame
+        camera_motion_ = field_programs(program_->motion);
     }
-    SceneFacts facts{*hash_, options_.animation.clock(frame), program_->camera};
+    SceneFacts facts{*hash_, options_.animation.clock(frame), camera_};
     if (moving_camera_) {
-        move_fields(*moving_camera_, program_->motion,
+        move_fields(*moving_camera_, camera_motion_,
                     {facts.time.clock, facts.time.frame_number, facts.time.clock_delta});
         facts.camera = moving_camera_->camera;
     }

@@ -51,6 +51,8 @@ private:
     bool same_for_all_frames_ = false;
     std::optional<Hash128> hash_;              ///< of the program
     std::optional<SceneTables> moving_camera_; ///< tables to move to a frame's time, when the camera moves
+    Camera<double> camera_;                    ///< of the first frame
+    MotionPrograms camera_motion_;             ///< of everything but spheres
 };
 
 } // namespace proxima

@@ -49,6 +49,13 @@ TEST_CASE("program: an animation has a file a frame, and a subset gives the same
     CHECK(work.content("a.04.png") == work.content("b.04.png"));
 }
 
+TEST_CASE("program: an animation in which nothing moves has a file a frame, too") {
+    const Workplace work;
+    CHECK(work.render({"still.scn", "-o", "a.##.tif", "--frames", "1-5"}).exit_code == 0);
+    CHECK(work.files().size() == 5);
+    CHECK(work.corner("a.01.tif") == work.corner("a.05.tif"));
+}
+
 TEST_CASE("program: two runs give the same bytes in every format") {
     const Workplace work;
     const std::string extensions[] = {"png", "exr", "tif", "jpg"};
