@@ -4,6 +4,7 @@
 #include "parser/source_files.h"
 #include "renderer/atomic_file.h"
 #include "renderer/difference_picture.h"
+#include "renderer/page_template.h"
 
 #include <fmt/format.h>
 #include <string_view>
@@ -15,13 +16,6 @@ constexpr std::string_view data_place = "/*COMPARISON*/";
 
 std::span<const unsigned char> bytes_of(std::string_view text) {
     return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
-}
-
-/// JSON as a script may hold it: no name in it can end the script.
-std::string script_data(std::string json) {
-    for (size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
-        json.replace(at, 1, "\\u003c");
-    return json;
 }
 
 } // namespace
@@ -46,8 +40,7 @@ void ComparisonPage::add_pictures(size_t index, const ImagePair& pair, double to
 }
 
 void ComparisonPage::finish(const ComparisonRecord& comparison) const {
-    std::string page = embedded_comparison_page;
-    page.replace(page.find(data_place), data_place.size(), script_data(to_json(comparison)));
+    const std::string page = fill_page(embedded_comparison_page, data_place, to_json(comparison));
     write_file(folder_ / "index.html", bytes_of(page));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene on a device: every array of it, listed once. A SceneProgram comes in; views for the kernels go out.
 #pragma once
+#include "kernels/first_hit.h"
 #include "kernels/grid_build.h"
 #include "kernels/scene_view.h"
-#include "kernels/first_hit.h"
 #include "kernels/trace.h"
 #include "parser/scene_program.h"
 #include "renderer/device_motion.h"

@@ -9,12 +9,15 @@ namespace proxima {
 
 FrameFinisher::FrameFinisher(const RenderOptions& options)
     : options_(options), color_(options.color), hash_(options, color_.identity()) {
-    if (!options.movie)
+    if (!options.movie && !options.report)
         return;
     ColorSettings shown = options.color;
     shown.target = ColorTarget::view;
     view_.emplace(shown);
-    movie_.emplace(*options.movie, options.rate);
+    if (options.movie)
+        movie_.emplace(*options.movie, options.rate);
+    if (options.report)
+        page_.emplace(*options.report);
 }
 
 void FrameFinisher::start(Progress& progress, RunWatch watch) {
@@ -28,6 +31,8 @@ void FrameFinisher::operator()(FinishedFrame& frame) {
     if (options_.multi_gpu.discard)
         return;
     record.hash = hash_.of(record.frame, record.scene, backend_of(record.device));
+    if (page_)
+        show(frame);
     FrameWatch watch(watch_, Timeline::writer, record.frame);
     take_step(&watch, FrameStep::color, record.color_ms, [&] { prepare(frame); });
     report(record);
@@ -40,6 +45,13 @@ void FrameFinisher::operator()(FinishedFrame& frame) {
     take_step(&watch, FrameStep::encode, record.encode_ms,
               [&] { bytes = encoder_->encode(frame.image, file_settings(record)); });
     take_step(&watch, FrameStep::write, record.write_ms, [&] { write_file(record.file, bytes); });
+}
+
+void FrameFinisher::show(const FinishedFrame& frame) {
+    Image small = RenderPage::thumbnail(frame.image);
+    replace_non_finite(small);
+    view_->apply(small);
+    page_->add_picture(frame.record.frame, small, *encoder_);
 }
 
 void FrameFinisher::prepare(FinishedFrame& frame) {
@@ -96,6 +108,8 @@ SequenceFile& FrameFinisher::sequence(const FinishedFrame& frame) {
 
 void FrameFinisher::announce(const FrameRecord& record) {
     progress_->frame_written(record.frame, record.file);
+    if (page_)
+        page_->add_frame(record);
 }
 
 void FrameFinisher::finish() {
@@ -108,6 +122,11 @@ void FrameFinisher::finish() {
         pictures.push_back(options_.output->path(frame));
     movie_->make(pictures, *view_);
     progress_->note(fmt::format("made {} of {} frames", options_.movie->string(), pictures.size()));
+}
+
+void FrameFinisher::write_page(const RunRecord& run, const std::string& error) const {
+    if (page_)
+        page_->finish(run, progress_->notes(), error);
 }
 
 } // namespace proxima

@@ -10,6 +10,7 @@
 #include "renderer/movie.h"
 #include "renderer/options.h"
 #include "renderer/progress.h"
+#include "renderer/render_page.h"
 #include "renderer/sequence_file.h"
 
 #include <mutex>
@@ -36,8 +37,12 @@ public:
     void announce(const FrameRecord& record);
     /// Every frame is there: writes what is made of all of them. Throws FileError.
     void finish();
+    /// Writes the page that --report asks for, if it does. `run` has everything but its frames; `error` is what ended
+    /// it early, or empty. Throws FileError.
+    void write_page(const RunRecord& run, const std::string& error) const;
 
 private:
+    void show(const FinishedFrame& frame);
     void prepare(FinishedFrame& frame);
     void report(const FrameRecord& record);
     ImageFileSettings file_settings(const FrameRecord& record) const;
@@ -45,8 +50,9 @@ private:
 
     const RenderOptions& options_;
     ColorTransform color_;
-    std::optional<ColorTransform> view_; ///< of the film
+    std::optional<ColorTransform> view_; ///< of the film and of the page
     std::optional<Movie> movie_;
+    std::optional<RenderPage> page_;
     FrameHash hash_;
     std::optional<ImageEncoder> encoder_;
     std::mutex mutex_;

@@ -56,7 +56,7 @@ struct RenderOptions {
     unsigned threads = 0; ///< 0: one for each core that the process may use
     ColorSettings color;
     ProgressStyle progress = ProgressStyle::automatic;
-    std::optional<std::filesystem::path> stats_json, timeline;
+    std::optional<std::filesystem::path> stats_json, timeline, report;
 };
 
 /// Two pictures or sets of pictures; or, with `povray`, a scene that both programs render.

@@ -78,6 +78,10 @@ void add_output_options(CLI::App& command, OutputTexts& texts) {
         ->type_name("STYLE");
     command.add_option("--stats-json", texts.stats_json, "Write what each step cost as JSON")->type_name("FILE");
     command.add_option("--timeline", texts.timeline, "Draw what ran when, on which device: .svg")->type_name("FILE");
+    command
+        .add_option("--report", texts.report,
+                    "Write a page with the frames, what they took, what was chosen and what went wrong")
+        ->type_name("DIR");
 }
 
 void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& options) {
@@ -111,6 +115,8 @@ void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& 
         options.stats_json = texts.stats_json;
     if (!texts.timeline.empty())
         options.timeline = texts.timeline;
+    if (!texts.report.empty())
+        options.report = texts.report;
 }
 
 } // namespace proxima

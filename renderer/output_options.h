@@ -8,7 +8,7 @@
 namespace proxima {
 
 struct OutputTexts {
-    std::string output, bits, compression, fps, movie, progress = "auto", stats_json, timeline;
+    std::string output, bits, compression, fps, movie, progress = "auto", stats_json, timeline, report;
     bool dry_run = false, skip_existing = false;
 };
 

@@ -75,7 +75,10 @@ void Progress::frame_written(int64_t frame, const std::string& file) {
 }
 
 void Progress::note(const std::string& text) {
+    constexpr size_t most_notes = 1000;
     const std::lock_guard lock(mutex_);
+    if (notes_.size() < most_notes)
+        notes_.push_back(text);
     if (style_ == ProgressStyle::none)
         return;
     erase_bar();
@@ -84,6 +87,11 @@ void Progress::note(const std::string& text) {
     else
         print(fmt::format("proxima: note: {}\n", text));
     draw_bar();
+}
+
+std::vector<std::string> Progress::notes() const {
+    const std::lock_guard lock(mutex_);
+    return notes_;
 }
 
 void Progress::draw_bar() {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace proxima {
 
@@ -25,6 +26,8 @@ public:
     void frame_written(int64_t frame, const std::string& file);
     /// A line that is shown in every style but none. Any thread.
     void note(const std::string& text);
+    /// What was noted up to now, in every style; of very many the first thousand. Any thread.
+    std::vector<std::string> notes() const;
 
 private:
     void draw_bar();
@@ -36,7 +39,8 @@ private:
     size_t total_;
     size_t done_ = 0;
     Stopwatch watch_;
-    std::mutex mutex_;
+    std::vector<std::string> notes_;
+    mutable std::mutex mutex_;
 };
 
 } // namespace proxima

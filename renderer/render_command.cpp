@@ -140,23 +140,33 @@ void render_command(const RenderOptions& options) {
                                   },
                               .note = [&](const std::string& text) { progress.note(text); },
                               .watch = watch});
-    std::exception_ptr device_error; // what is finished by then is written, and counts
+    const auto measure = [&] {
+        run.parse_ms = scene.parse_ms();
+        run.evaluate_ms = scene.evaluate_ms();
+        run.wall_ms = wall.milliseconds();
+    };
     try {
-        scheduler.run(std::move(plan.workers), stop);
-    } catch (const DeviceError&) {
-        device_error = std::current_exception();
+        std::exception_ptr device_error; // what is finished by then is written, and counts
+        try {
+            scheduler.run(std::move(plan.workers), stop);
+        } catch (const DeviceError&) {
+            device_error = std::current_exception();
+        }
+        run.frames = writer.finish();
+        source.join();
+        measure();
+        write_statistics(options, run, timeline);
+        if (device_error)
+            std::rethrow_exception(device_error);
+        if (stop.caught() && run.frames.size() < animation.frames.size())
+            throw Interrupted(stop.caught());
+        finisher.finish();
+    } catch (const std::exception& error) {
+        measure();
+        finisher.write_page(run, error.what());
+        throw;
     }
-    run.frames = writer.finish();
-    source.join();
-    run.parse_ms = scene.parse_ms();
-    run.evaluate_ms = scene.evaluate_ms();
-    run.wall_ms = wall.milliseconds();
-    write_statistics(options, run, timeline);
-    if (device_error)
-        std::rethrow_exception(device_error);
-    if (stop.caught() && run.frames.size() < animation.frames.size())
-        throw Interrupted(stop.caught());
-    finisher.finish();
+    finisher.write_page(run, {});
 }
 
 } // namespace proxima

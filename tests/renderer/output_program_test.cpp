@@ -204,3 +204,41 @@ TEST_CASE("output: EXR is scene-linear unless a colour space is asked for") {
     CHECK(work.render({"still.scn", "-o", "c.exr", "--colorspace", "x"}).exit_code == 2);
     CHECK(work.render({"still.scn", "-o", "c.png", "--colorspace", "ACEScg", "--view", "Raw"}).exit_code == 2);
 }
+
+TEST_CASE("output: the report shows every frame, and needs no network") {
+    const Workplace work("output_test");
+    const auto run = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"moving.scn", "--frames", "1-5", "--report", "report"});
+        return work.render(more);
+    };
+    REQUIRE(run({"-o", "a.#.exr"}).exit_code == 0);
+    for (int frame = 1; frame <= 5; ++frame)
+        CHECK(fs::exists(work.folder / fmt::format("report/pictures/{}.png", frame)));
+    const std::string page = work.content("report/index.html");
+    CHECK_FALSE(says(page, "src=\"http"));
+    CHECK_FALSE(says(page, "/*RUN*/"));
+    CHECK(says(page, "\"hash\""));
+
+    const auto rendered = [&] { // what a browser makes of it
+        return run_process({"chromium", "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=5000",
+                            "--dump-dom", "file://" + (work.folder / "report/index.html").string()},
+                           work.folder, 120);
+    };
+    if (run_process({"chromium", "--version"}).exit_code != 0) {
+        MESSAGE("skipped: there is no chromium to open the page in");
+        return;
+    }
+    const ProcessResult right = rendered();
+    REQUIRE(right.exit_code == 0);
+    CHECK(says(right.standard_output, "<h1>5 frames of moving.scn</h1>"));
+    CHECK(says(right.standard_output, "src=\"pictures/5.png\""));
+    CHECK(says(right.standard_output, "<td>cpu: 5</td>"));
+    CHECK_FALSE(says(right.standard_output, "<h2>The run ended early</h2>"));
+
+    // A frame that cannot be written.
+    fs::create_directory(work.folder / "a.0003.png");
+    CHECK(run({"-o", "a.#.png"}).exit_code == 3);
+    const ProcessResult wrong = rendered();
+    CHECK(says(wrong.standard_output, "<h2>The run ended early</h2>"));
+    CHECK(says(wrong.standard_output, "a.0003.png: cannot be written"));
+}

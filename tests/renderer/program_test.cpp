@@ -108,7 +108,7 @@ TEST_CASE(
     for (const char* line : {"openjd_progress: 0\n", "openjd_progress: 33.3\n", "openjd_progress: 100.0\n",
                              "openjd_status: wrote a.0002.png (2 of 3)\n"})
         CHECK_MESSAGE(says(farm, line), farm);
-    CHECK(says(work.render({"missing.scn", "--progress", "openjd"}).standard_error, "openjd_fail: missing.scn: "));
+    CHECK(says(work.render({"missing.scn", "--progress", "openjd"}).standard_error, "openjd_fail: cannot read missing.scn: "));
     CHECK(says(with("bar"), "\r[="));
 }
 
