@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -110,13 +112,24 @@ ColorPath color_path(const ColorConfig& config, const ColorSettings& settings) {
     return path;
 }
 
-/// Applies `change` to every sample, in parallel, and counts those for which it is true.
-template <class Change> uint64_t count_changed(Image& image, const Change& change) {
+/// Applies `change` to the samples whose magnitude is above `limit` or is no number, in parallel. Returns how many
+/// there were. Hardly ever there is one: blocks are first looked through as integers, which keep the order of
+/// magnitudes, and which the compiler compares many at once.
+template <class Change> uint64_t change_beyond(Image& image, float limit, const Change& change) {
+    const auto magnitude = [](float value) { return std::bit_cast<uint32_t>(value) & 0x7fffffffu; };
     std::atomic<uint64_t> changed{0};
     tbb::parallel_for(tbb::blocked_range<size_t>(0, image.rgb.size(), 1 << 16), [&](const auto& samples) {
+        uint32_t largest = 0;
+        for (size_t i = samples.begin(); i != samples.end(); ++i)
+            largest = std::max(largest, magnitude(image.rgb[i]));
+        if (largest <= magnitude(limit))
+            return;
         uint64_t count = 0;
         for (size_t i = samples.begin(); i != samples.end(); ++i)
-            count += change(image.rgb[i]);
+            if (float& value = image.rgb[i]; magnitude(value) > magnitude(limit)) {
+                value = change(value);
+                ++count;
+            }
         changed += count;
     });
     return changed;
@@ -171,21 +184,12 @@ void ColorTransform::apply(Image& image) const {
 }
 
 uint64_t replace_non_finite(Image& image) {
-    return count_changed(image, [](float& value) {
-        if (std::isfinite(value))
-            return false;
-        value = std::isnan(value) ? 0.0f : std::copysign(largest_half, value);
-        return true;
-    });
+    return change_beyond(image, std::numeric_limits<float>::max(),
+                         [](float value) { return std::isnan(value) ? 0.0f : std::copysign(largest_half, value); });
 }
 
 uint64_t clamp_to_half(Image& image) {
-    return count_changed(image, [](float& value) {
-        const bool is_beyond = std::abs(value) > largest_half;
-        if (is_beyond)
-            value = std::copysign(largest_half, value);
-        return is_beyond;
-    });
+    return change_beyond(image, largest_half, [](float value) { return std::copysign(largest_half, value); });
 }
 
 } // namespace proxima
