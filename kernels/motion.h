@@ -40,7 +40,7 @@ struct MotionInstruction {
 /// What the results of a program are.
 enum class MotionTarget : uint8_t {
     sphere, ///< 4: centre and radius of the sphere targets[instance]
-    field,  ///< 1: the number fields[targets[instance]]
+    number, ///< 1: what targets[instance] says, see MotionPrograms
 };
 
 /// Ranges of the arrays of MotionView. Constant k of instance i stands at constants[first_constant + k * instances +
@@ -112,15 +112,16 @@ template <class Real> struct MoveSpheres {
     MotionTime time;
     std::span<Sphere<Real>> spheres;
     std::span<Sphere<double>> exact;
-    std::span<uint32_t> failures; ///< one counter: spheres that met a number which is not finite
+    std::span<uint32_t> failures; ///< one counter: spheres that met a number which is not finite, or have no radius
 
     HD void operator()(uint32_t instance) const {
         const MotionProgram& program = motion.programs[program_of(instance)];
         double sphere[result_count(MotionTarget::sphere)];
-        if (!evaluate(motion, program, instance - program.first_instance, time, sphere))
+        const bool finite = evaluate(motion, program, instance - program.first_instance, time, sphere);
+        if (!finite || !(sphere[3] > 0))
             atomic_add(failures.data(), 1);
         const uint32_t place = motion.targets[instance];
-        const double radius = sphere[3] > 0 ? sphere[3] : 0.0; // a negative one renders nothing
+        const double radius = sphere[3];
         spheres[place] = {Vec3<Real>(Real(sphere[0]), Real(sphere[1]), Real(sphere[2])), Real(radius)};
         if (!exact.empty())
             exact[place] = {Vec3<double>(sphere[0], sphere[1], sphere[2]), radius};

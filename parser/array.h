@@ -15,6 +15,7 @@ struct Array {
     std::vector<uint32_t> sizes;
     std::vector<Value> elements; ///< the last subscript is the fastest; std::monostate: no value yet
     ValueKind kind;              ///< of every element that has a value
+    bool may_move = false;       ///< some element may follow from the time
     uint32_t depth = 1;          ///< at least that of arrays in arrays, this one included
 };
 

@@ -17,6 +17,12 @@ uint32_t depth_of(const Value& value) {
     return array ? (*array)->depth : 0;
 }
 
+bool may_move(const Value& value) {
+    const Terms* terms = std::get_if<Terms>(&value);
+    return terms ? terms->nodes != 0
+                 : !std::holds_alternative<std::monostate>(value) && !std::holds_alternative<std::string>(value);
+}
+
 std::string describe(const Value& value) {
     const Terms* terms = std::get_if<Terms>(&value);
     return terms && terms->count > 1 && terms->count < 5 ? fmt::format("a vector of {} terms", terms->count)
@@ -95,6 +101,7 @@ void Evaluator::add_element(const Token& at, Array& array, Value& element, Value
     if (kind.type != 0)
         array.kind = kind;
     array.depth = std::max(array.depth, depth_of(value) + 1);
+    array.may_move = array.may_move || may_move(value);
     if (array.depth > depth_limit)
         fail(at, fmt::format("arrays stand in each other more than {} deep", depth_limit));
     element = std::move(value);
@@ -201,7 +208,7 @@ double Evaluator::array_function(const Token& word) {
     if (Word(word.index) == Word::dimensions)
         return double(sizes.size());
     separator();
-    const double dimension = argument();
+    const double dimension = number();
     return dimension >= 1 && dimension < double(sizes.size() + 1) ? sizes[size_t(dimension) - 1] : 0;
 }
 

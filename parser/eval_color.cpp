@@ -31,8 +31,11 @@ constexpr Channel channels[] = {
     {Word::red, 0}, {Word::green, 1}, {Word::blue, 2}, {Word::filter, 3}, {Word::transmit, 4}};
 
 /// IEC 61966-2-1: the sRGB code value as linear light.
-double srgb_to_linear(double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+Varying srgb_to_linear(const Varying& value) {
+    if (!value.node)
+        return value.value <= 0.04045 ? value.value / 12.92 : std::pow((value.value + 0.055) / 1.055, 2.4);
+    return choose(apply(MotionOp::greater, value, 0.04045), apply(MotionOp::pow, (value + 0.055) / 1.055, 2.4),
+                  value / 12.92);
 }
 
 } // namespace
@@ -69,11 +72,13 @@ Terms Evaluator::color() {
             terms.promote(spelling.count);
             terms.promote(5);
             if (spelling.transmit_is_fourth)
-                std::swap(terms.value[3], terms.value[4]);
+                terms = Terms({terms.term(0), terms.term(1), terms.term(2), terms.term(4), terms.term(3)}, 5);
         }
         result = terms;
-        for (int i = 0; spelling.encoded && i < 3; ++i)
-            result.value[i] = encode_working(srgb_to_linear(result.value[i]));
+        if (spelling.encoded) {
+            const auto decoded = [&](int i) { return encode_working(srgb_to_linear(terms.term(i))); };
+            result = Terms({decoded(0), decoded(1), decoded(2), terms.term(3), terms.term(4)}, 5);
+        }
         any = true;
         break;
     }
@@ -89,7 +94,11 @@ Terms Evaluator::color() {
         for (const Channel& channel : channels) {
             if (!accept(channel.word))
                 continue;
-            result.value[channel.index] = number();
+            Varying terms[5];
+            for (int i = 0; i < 5; ++i)
+                terms[i] = result.term(i);
+            terms[channel.index] = moving_number();
+            result = Terms({terms[0], terms[1], terms[2], terms[3], terms[4]}, 5);
             any = more = true;
         }
     }
@@ -100,9 +109,9 @@ Terms Evaluator::color() {
     return result;
 }
 
-glm::vec3 Evaluator::rgb_color() {
+Vec3<Varying> Evaluator::rgb_color() {
     const Terms terms = color();
-    return {float(terms.value[0]), float(terms.value[1]), float(terms.value[2])};
+    return {terms.term(0), terms.term(1), terms.term(2)};
 }
 
 } // namespace proxima

@@ -17,14 +17,20 @@ void Evaluator::predeclare(std::string_view name, Value value) {
 
 void Evaluator::predeclare() {
     const SceneClock& time = settings_.time;
-    const std::pair<std::string_view, double> times[] = {
-        {"clock_delta", time.clock_delta}, {"frame_number", time.frame_number},   {"initial_frame", time.initial_frame},
-        {"final_frame", time.final_frame}, {"initial_clock", time.initial_clock}, {"final_clock", time.final_clock},
+    const std::pair<std::string_view, Varying> times[] = {
+        {"clock_delta", {time.clock_delta, graph_.time(MotionNode::Kind::clock_delta)}},
+        {"frame_number", {time.frame_number, graph_.time(MotionNode::Kind::frame_number)}},
     };
     for (const auto& [name, value] : times) {
         predeclare(name, Terms(value));
         time_names_.insert(sources_.symbols.intern(name));
     }
+    const std::pair<std::string_view, double> ends[] = {{"initial_frame", time.initial_frame},
+                                                        {"final_frame", time.final_frame},
+                                                        {"initial_clock", time.initial_clock},
+                                                        {"final_clock", time.final_clock}};
+    for (const auto& [name, value] : ends)
+        predeclare(name, Terms(value));
     predeclare("image_width", Terms(double(settings_.image_width)));
     predeclare("image_height", Terms(double(settings_.image_height)));
     predeclare("input_file_name", std::filesystem::path(sources_.files.name(0)).filename().string());
@@ -189,17 +195,17 @@ Value Evaluator::right_hand_side() {
     if (accept(Word::material))
         return material();
     if (accept(Word::camera))
-        return std::make_shared<const Camera<double>>(camera());
+        return std::make_shared<const Camera<Varying>>(camera());
     if (accept(Word::color_map) || accept(Word::colour_map))
         return color_map();
     if (accept(Word::pigment_map))
         return pigment_map();
     if (accept(Word::sky_sphere))
-        return std::make_shared<const SkySphere>(sky_sphere());
+        return std::make_shared<const Moving<SkySphere>>(sky_sphere());
     if (accept(Word::fog))
-        return std::make_shared<const Fog<double>>(fog());
+        return std::make_shared<const Moving<Fog<double>>>(fog());
     if (accept(Word::transform))
-        return std::make_shared<const TransformPair>(transform_block());
+        return std::make_shared<const Transform>(transform_block());
     const size_t outer = std::exchange(bare_nesting_, nesting_);
     const Terms terms = token.kind == TokenKind::word && starts_color() ? color() : sum();
     bare_nesting_ = outer;

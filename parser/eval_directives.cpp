@@ -33,6 +33,8 @@ bool Evaluator::interrupt() {
 void Evaluator::run_directive(const Token& directive) {
     if (++steps_ > next_check_)
         check_budget();
+    if (graph_.is_crowded())
+        collect_nodes();
     const Nesting nesting(*this);
     if (!in_item_)
         item_start_ = cursor_;
@@ -109,6 +111,8 @@ bool Evaluator::condition(const Token& directive) {
         const Terms value = expression();
         if (value.count != 1)
             fail(at, "a condition must be a number");
+        if (value.nodes)
+            look_at(span(directive), directive, value.nodes);
         expect(TokenKind::right_paren);
         return std::abs(value.value[0]) > epsilon;
     }
@@ -234,6 +238,10 @@ void Evaluator::run_end(const Token& directive) {
     Terms* variable = binding ? std::get_if<Terms>(&binding->value) : nullptr;
     if (!variable || variable->count != 1)
         fail(opener, "the variable of this loop is no number any more");
+    if (variable->nodes) {
+        look_at(span(opener), opener, variable->nodes);
+        variable->nodes = 0;
+    }
     variable->value[0] += loop.step;
     ++changes_;
     if (loop.goes_on(variable->value[0]))

@@ -11,30 +11,51 @@
 namespace proxima {
 namespace {
 
-/// Applies `operation` to each pair of terms, after both sides have equally many.
-template <class Operation> void combine(Terms& left, Terms right, Operation operation) {
+/// The terms of which `term(i)` is the i-th.
+template <class Term> Terms terms_of(int count, Term term) {
+    Varying terms[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
+    for (int i = 0; i < count; ++i)
+        terms[i] = term(i);
+    return Terms({terms[0], terms[1], terms[2], terms[3], terms[4]}, count);
+}
+
+void combine_moving(MotionOp op, Terms& left, const Terms& right) {
+    left = terms_of(left.count, [&](int i) { return apply(op, left.term(i), right.term(i)); });
+}
+
+/// Applies an operation to each pair of terms, after both sides have equally many.
+template <MotionOp op> void combine(Terms& left, Terms right) {
     const int count = std::max(left.count, right.count);
     left.promote(count);
     right.promote(count);
+    if ((left.nodes | right.nodes) != 0) [[unlikely]]
+        return combine_moving(op, left, right);
     for (int i = 0; i < count; ++i)
-        left.value[i] = operation(left.value[i], right.value[i]);
+        left.value[i] = apply(op, left.value[i], right.value[i]);
 }
 
-bool compare(TokenKind relation, double a, double b) {
-    constexpr double epsilon = 1e-10;
+/// Applies an operation to each term.
+template <MotionOp op> void change(Terms& terms) {
+    if (terms.nodes) [[unlikely]]
+        terms = terms_of(terms.count, [&](int i) { return apply(op, terms.term(i)); });
+    else
+        std::for_each_n(terms.value, terms.count, [](double& value) { value = apply(op, value); });
+}
+
+void compare(TokenKind relation, Terms& left, const Terms& right) {
     switch (relation) {
     case TokenKind::left_angle:
-        return a < b;
+        return combine<MotionOp::less>(left, right);
     case TokenKind::right_angle:
-        return a > b;
+        return combine<MotionOp::greater>(left, right);
     case TokenKind::less_equal:
-        return a <= b + epsilon;
+        return combine<MotionOp::less_equal>(left, right);
     case TokenKind::greater_equal:
-        return a + epsilon >= b;
+        return combine<MotionOp::greater_equal>(left, right);
     case TokenKind::equal:
-        return std::abs(a - b) <= epsilon;
+        return combine<MotionOp::equal>(left, right);
     default:
-        return std::abs(a - b) > epsilon;
+        return combine<MotionOp::not_equal>(left, right);
     }
 }
 
@@ -57,7 +78,13 @@ Terms Evaluator::expression() {
     const Terms other = expression();
     if (condition.count != 1)
         fail(question, "the condition before '?' must be a number");
-    return is_true(condition.value[0]) ? chosen : other;
+    if (!condition.nodes)
+        return is_true(condition.value[0]) ? chosen : other;
+    if (chosen.count != other.count) {
+        look_at(span(question), question, condition.nodes);
+        return is_true(condition.value[0]) ? chosen : other;
+    }
+    return terms_of(chosen.count, [&](int i) { return choose(condition.term(0), chosen.term(i), other.term(i)); });
 }
 
 Terms Evaluator::logical() {
@@ -66,10 +93,10 @@ Terms Evaluator::logical() {
         const TokenKind kind = peek().kind;
         if (kind == TokenKind::ampersand) {
             advance();
-            combine(left, relation(), [](double a, double b) { return is_true(a) && is_true(b) ? 1.0 : 0.0; });
+            combine<MotionOp::logical_and>(left, relation());
         } else if (kind == TokenKind::bar) {
             advance();
-            combine(left, relation(), [](double a, double b) { return is_true(a) || is_true(b) ? 1.0 : 0.0; });
+            combine<MotionOp::logical_or>(left, relation());
         } else {
             return left;
         }
@@ -87,7 +114,7 @@ Terms Evaluator::relation() {
         advance();
         if (token.kind == TokenKind::equal && peek().kind == TokenKind::equal)
             fail(token, "there is no operator '=='", "'=' alone compares");
-        combine(left, sum(), [&](double a, double b) { return compare(token.kind, a, b) ? 1.0 : 0.0; });
+        compare(token.kind, left, sum());
     }
 }
 
@@ -99,7 +126,9 @@ bool Evaluator::string_relation() {
     advance();
     if (!starts_string())
         fail_unexpected("a string");
-    return compare(kind, left.compare(string()), 0);
+    Terms order(double(left.compare(string())));
+    compare(kind, order, 0.0);
+    return order.value[0] != 0;
 }
 
 /// What may continue an expression. The value of a #declare ends at a directive unless it stands in brackets.
@@ -115,10 +144,10 @@ Terms Evaluator::sum() {
         const TokenKind kind = next_operator();
         if (kind == TokenKind::plus) {
             advance();
-            combine(left, product(), [](double a, double b) { return a + b; });
+            combine<MotionOp::add>(left, product());
         } else if (kind == TokenKind::minus) {
             advance();
-            combine(left, product(), [](double a, double b) { return a - b; });
+            combine<MotionOp::subtract>(left, product());
         } else {
             return left;
         }
@@ -132,7 +161,7 @@ Terms Evaluator::product() {
         const Token& token = *cursor_;
         if (kind == TokenKind::star) {
             advance();
-            combine(left, factor(), [](double a, double b) { return a * b; });
+            combine<MotionOp::multiply>(left, factor());
         } else if (kind == TokenKind::slash) {
             advance();
             const Terms right = factor();
@@ -140,7 +169,7 @@ Terms Evaluator::product() {
             if (std::find(right.value, right.value + right.count, 0.0) != right.value + right.count ||
                 (right.count > 1 && right.count < left.count))
                 fail(token, "division by zero");
-            combine(left, right, [](double a, double b) { return a / b; });
+            combine<MotionOp::divide>(left, right);
         } else {
             return left;
         }
@@ -180,9 +209,9 @@ Terms Evaluator::factor() {
         advance();
         Terms terms = factor();
         if (token.kind == TokenKind::minus)
-            std::for_each_n(terms.value, terms.count, [](double& value) { value = -value; });
+            change<MotionOp::negate>(terms);
         else if (token.kind == TokenKind::bang)
-            std::for_each_n(terms.value, terms.count, [](double& value) { value = is_true(value) ? 0.0 : 1.0; });
+            change<MotionOp::logical_not>(terms);
         return terms;
     }
     default:

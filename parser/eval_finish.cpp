@@ -14,6 +14,7 @@ struct Albedos {
     bool phong = false;
     bool specular = false;
 
+    bool any() const { return diffuse || phong || specular; }
     void fold_into(Finish& finish) const {
         if (diffuse)
             finish.diffuse *= (finish.brilliance + 1) / 2;
@@ -31,42 +32,44 @@ struct Albedos {
 /// `finish { ... }` after its word; `base` is what the block changes.
 FinishRef Evaluator::finish(uint32_t base) {
     expect(TokenKind::left_brace);
-    Finish value = builder_.finish(base);
+    const Token& start = peek();
+    Moving<Finish> moving = builder_.finish(base);
+    Finish& value = moving.record;
     if (const FinishRef* declared = identifier<FinishRef>()) {
-        value = builder_.finish(declared->index);
+        moving = builder_.finish(declared->index);
         advance();
     }
     Albedos albedos;
     for (;;) {
         const Token& token = peek();
         if (accept(Word::ambient)) {
-            value.ambient = rgb_color();
+            moving.set(value.ambient, rgb_color());
         } else if (accept(Word::emission)) {
-            value.emission = rgb_color();
+            moving.set(value.emission, rgb_color());
         } else if (accept(Word::diffuse)) {
             albedos.diffuse = accept(Word::albedo);
-            value.diffuse = float(number());
+            moving.set(value.diffuse, moving_number());
         } else if (accept(Word::brilliance)) {
-            value.brilliance = float(number());
+            moving.set(value.brilliance, moving_number());
         } else if (accept(Word::phong)) {
             albedos.phong = accept(Word::albedo);
-            value.phong = float(number());
+            moving.set(value.phong, moving_number());
         } else if (accept(Word::phong_size)) {
-            value.phong_size = float(number());
+            moving.set(value.phong_size, moving_number());
         } else if (accept(Word::specular)) {
             albedos.specular = accept(Word::albedo);
-            value.specular = float(number());
+            moving.set(value.specular, moving_number());
         } else if (accept(Word::roughness)) {
-            const double roughness = number();
-            if (!(roughness > 0))
+            const Varying roughness = moving_number();
+            if (!decide(apply(MotionOp::greater, roughness, 0)))
                 fail(token, "roughness must be above 0");
-            value.inverse_roughness = float(1 / roughness);
+            moving.set(value.inverse_roughness, 1 / roughness);
         } else if (accept(Word::metallic)) {
-            value.metallic = starts_expression() ? float(number()) : 1.0f;
+            moving.set(value.metallic, starts_expression() ? moving_number() : 1.0);
         } else if (accept(Word::reflection)) {
-            reflection(value);
+            reflection(moving);
         } else if (accept(Word::reflection_exponent)) {
-            value.reflection_exponent = float(number());
+            moving.set(value.reflection_exponent, moving_number());
         } else if (accept(Word::conserve_energy)) {
             value.conserve_energy = 1;
         } else if (accept(Word::crand)) {
@@ -78,21 +81,31 @@ FinishRef Evaluator::finish(uint32_t base) {
     }
     if (!accept(TokenKind::right_brace))
         fail_unexpected("a word of a finish (ambient, diffuse, phong, specular, reflection, ...) or '}'");
+    // The amounts of albedos are computed in float.
+    for (const FieldNode& number : moving.nodes)
+        if (albedos.any())
+            look_at(span(start), start, number.node);
     albedos.fold_into(value);
-    return {builder_.add_finish(value)};
+    return {builder_.add_finish(moving)};
 }
 
 /// `reflection COLOR` or `reflection { [COLOR,] COLOR ... }` after its word.
-void Evaluator::reflection(Finish& finish) {
+void Evaluator::reflection(Moving<Finish>& moving) {
+    Finish& finish = moving.record;
+    const auto set_both = [&] {
+        const Vec3<Varying> color = rgb_color();
+        moving.set(finish.reflection_min, color);
+        moving.set(finish.reflection_max, color);
+    };
     if (!accept(TokenKind::left_brace)) {
-        finish.reflection_min = finish.reflection_max = rgb_color();
+        set_both();
         return;
     }
-    finish.reflection_min = finish.reflection_max = rgb_color();
+    set_both();
     accept(TokenKind::comma);
     const bool two_colors = starts_color() || starts_expression();
     if (two_colors)
-        finish.reflection_max = rgb_color();
+        moving.set(finish.reflection_max, rgb_color());
     for (;;) {
         const Token& token = peek();
         if (accept(Word::fresnel)) {
@@ -101,14 +114,14 @@ void Evaluator::reflection(Finish& finish) {
                 fail(token, "fresnel is on or off");
             finish.fresnel = uint32_t(flag);
         } else if (accept(Word::falloff)) {
-            finish.reflection_falloff = float(number());
+            moving.set(finish.reflection_falloff, moving_number());
         } else if (accept(Word::exponent)) {
-            const double exponent = number();
-            if (!(exponent > 0))
+            const Varying exponent = moving_number();
+            if (!decide(apply(MotionOp::greater, exponent, 0)))
                 fail(token, "the exponent of a reflection must be above 0");
-            finish.reflection_exponent = float(exponent);
+            moving.set(finish.reflection_exponent, exponent);
         } else if (accept(Word::metallic)) {
-            finish.reflection_metallic = starts_expression() ? float(number()) : 1.0f;
+            moving.set(finish.reflection_metallic, starts_expression() ? moving_number() : 1.0);
         } else {
             break;
         }
@@ -116,7 +129,7 @@ void Evaluator::reflection(Finish& finish) {
     if (!accept(TokenKind::right_brace))
         fail_unexpected("fresnel, falloff, exponent, metallic or '}'");
     if (finish.fresnel && !two_colors)
-        finish.reflection_min = glm::vec3(0);
+        moving.set(finish.reflection_min, Vec3<Varying>(0.0));
 }
 
 } // namespace proxima

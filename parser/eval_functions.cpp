@@ -6,90 +6,84 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
 
 namespace proxima {
 namespace {
 
-using Function = double (*)(double);
-
-constexpr double radian = std::numbers::pi / 180;
-
 /// The functions of one number. One whose result is not finite is a mistake of the scene.
-Function function_of_one(Word word) {
+std::optional<MotionOp> function_of_one(Word word) {
     switch (word) {
     case Word::abs:
-        return std::fabs;
+        return MotionOp::abs;
     case Word::acos:
-        return std::acos;
+        return MotionOp::acos;
     case Word::acosh:
-        return std::acosh;
+        return MotionOp::acosh;
     case Word::asin:
-        return std::asin;
+        return MotionOp::asin;
     case Word::asinh:
-        return std::asinh;
+        return MotionOp::asinh;
     case Word::atan:
-        return std::atan;
+        return MotionOp::atan;
     case Word::atanh:
-        return std::atanh;
+        return MotionOp::atanh;
     case Word::ceil:
-        return std::ceil;
+        return MotionOp::ceil;
     case Word::cos:
-        return std::cos;
+        return MotionOp::cos;
     case Word::cosh:
-        return std::cosh;
+        return MotionOp::cosh;
     case Word::degrees:
-        return [](double x) { return x / radian; };
+        return MotionOp::degrees;
     case Word::exp:
-        return std::exp;
+        return MotionOp::exp;
     case Word::floor:
-        return std::floor;
+        return MotionOp::floor;
     case Word::int_:
-        return std::trunc;
+        return MotionOp::truncate;
     case Word::ln:
-        return std::log;
+        return MotionOp::ln;
     case Word::log:
-        return std::log10;
+        return MotionOp::log;
     case Word::radians:
-        return [](double x) { return x * radian; };
+        return MotionOp::radians;
     case Word::sin:
-        return std::sin;
+        return MotionOp::sin;
     case Word::sinh:
-        return std::sinh;
+        return MotionOp::sinh;
     case Word::sqrt:
-        return std::sqrt;
+        return MotionOp::sqrt;
     case Word::tan:
-        return std::tan;
+        return MotionOp::tan;
     case Word::tanh:
-        return std::tanh;
+        return MotionOp::tanh;
     default:
-        return nullptr;
+        return std::nullopt;
     }
 }
 
-double bitwise(Word word, double a, double b) {
-    if (!fits_integer(a) || !fits_integer(b))
-        return NAN;
-    const int32_t i = int32_t(a), j = int32_t(b);
-    return word == Word::bitwise_and ? i & j : word == Word::bitwise_or ? i | j : i ^ j;
-}
-
 /// The functions of two numbers. bitwise_* take any number of them, as min and max do.
-double function_of_two(Word word, double a, double b) {
+MotionOp function_of_two(Word word) {
     switch (word) {
     case Word::atan2:
-        return a == 0 && b == 0 ? NAN : std::atan2(a, b);
+        return MotionOp::atan2;
     case Word::div:
-        return std::trunc(a / b);
+        return MotionOp::div;
     case Word::mod:
-        return std::fmod(a, b);
+        return MotionOp::mod;
     case Word::pow:
-        return a == 0 && b == 0 ? NAN : std::pow(a, b);
+        return MotionOp::pow;
     case Word::max:
-        return std::max(a, b);
+        return MotionOp::max;
     case Word::min:
-        return std::min(a, b);
+        return MotionOp::min;
+    case Word::bitwise_and:
+        return MotionOp::bitwise_and;
+    case Word::bitwise_or:
+        return MotionOp::bitwise_or;
     default:
-        return bitwise(word, a, b);
+        return MotionOp::bitwise_xor;
     }
 }
 
@@ -129,9 +123,8 @@ Terms Evaluator::word_factor(const Token& token) {
         return std::numbers::pi;
     case Word::clock:
         depends_on_time_ = true;
-        return settings_.time.clock;
+        return Varying(settings_.time.clock, graph_.time(MotionNode::Kind::clock));
     case Word::clock_on:
-        depends_on_time_ = true;
         return settings_.time.clock_on ? 1.0 : 0.0;
     case Word::now:
         fail(token, "Proxima does not support 'now'", "a scene must give the same picture at any time");
@@ -155,8 +148,8 @@ void Evaluator::separator() {
     expect(TokenKind::comma);
 }
 
-double Evaluator::checked(const Token& at, double value) {
-    if (!std::isfinite(value))
+Varying Evaluator::checked(const Token& at, const Varying& value) {
+    if (!std::isfinite(value.value))
         fail(at, fmt::format("'{}' has no finite value here", spelling(at)));
     return value;
 }
@@ -166,8 +159,8 @@ Terms Evaluator::call_function(const Token& token) {
     const Word word = Word(token.index);
     expect(TokenKind::left_paren);
     Terms result;
-    if (const Function function = function_of_one(word)) {
-        result = checked(token, function(argument()));
+    if (const std::optional<MotionOp> function = function_of_one(word)) {
+        result = checked(token, apply(*function, moving_number()));
     } else if (word >= Word::asc && word <= Word::val) {
         result = string_function(token);
     } else {
@@ -176,20 +169,21 @@ Terms Evaluator::call_function(const Token& token) {
             result = random_number();
             break;
         case Word::seed: {
-            const double start = argument();
+            const double start = number();
             if (!fits_integer(start))
                 fail(token, "a stream of random numbers starts from a number between -2147483648 and 2147483647");
             result = double(random_.seed(start));
             break;
         }
         case Word::select: {
-            const double choice = argument();
+            const Varying choice = moving_number();
             separator();
-            const double negative = argument();
+            const Varying negative = moving_number();
             separator();
-            const double zero = argument();
-            const double positive = accept(TokenKind::comma) ? argument() : zero;
-            result = choice < 0 ? negative : choice == 0 ? zero : positive;
+            const Varying zero = moving_number();
+            const Varying positive = accept(TokenKind::comma) ? moving_number() : zero;
+            result = choose(apply(MotionOp::is_negative, choice), negative,
+                            choose(apply(MotionOp::is_zero, choice), zero, positive));
             break;
         }
         case Word::defined: {
@@ -202,52 +196,21 @@ Terms Evaluator::call_function(const Token& token) {
         case Word::dimension_size:
             result = array_function(token);
             break;
-        case Word::vdot: {
-            const Vec3<double> a = vector();
-            separator();
-            result = glm::dot(a, vector());
-            break;
-        }
+        case Word::vdot:
         case Word::vlength:
-            result = glm::length(vector());
+        case Word::vcross:
+        case Word::vnormalize:
+        case Word::vrotate:
+        case Word::vaxis_rotate:
+            result = vector_function(token);
             break;
-        case Word::vcross: {
-            const Vec3<double> a = vector();
-            separator();
-            result = glm::cross(a, vector());
-            break;
-        }
-        case Word::vnormalize: {
-            const Vec3<double> a = vector();
-            const double length = glm::length(a);
-            if (length == 0)
-                fail(token, "a vector of length 0 has no direction");
-            result = a / length;
-            break;
-        }
-        case Word::vrotate: {
-            const Vec3<double> a = vector();
-            separator();
-            result = rotation(vector()).map.point(a);
-            break;
-        }
-        case Word::vaxis_rotate: {
-            const Vec3<double> a = vector();
-            separator();
-            const Vec3<double> axis = vector();
-            separator();
-            const double angle = argument();
-            if (glm::length(axis) == 0)
-                fail(token, "the axis has length 0");
-            result = rotation_about(axis, angle).map.point(a);
-            break;
-        }
         default: {
-            double value = argument();
+            const MotionOp function = function_of_two(word);
+            Varying value = moving_number();
             separator();
-            value = function_of_two(word, value, argument());
+            value = apply(function, value, moving_number());
             while (takes_many(word) && accept(TokenKind::comma))
-                value = function_of_two(word, value, argument());
+                value = apply(function, value, moving_number());
             result = checked(token, value);
         }
         }
@@ -256,18 +219,49 @@ Terms Evaluator::call_function(const Token& token) {
     return result;
 }
 
+/// A function of vectors, behind its parenthesis. Its numbers are doubles unless some follow from the time.
+Terms Evaluator::vector_function(const Token& token) {
+    const Word word = Word(token.index);
+    const Terms first = vector_of(3, "a vector");
+    Terms second;
+    if (word != Word::vlength && word != Word::vnormalize) {
+        separator();
+        second = vector_of(3, "a vector");
+    }
+    const Vec3<Varying> a = first.varying_vector(), b = second.varying_vector();
+    switch (word) {
+    case Word::vdot:
+        return glm::dot(a, b);
+    case Word::vlength:
+        return glm::length(a);
+    case Word::vcross:
+        return glm::cross(a, b);
+    case Word::vnormalize: {
+        const Varying length = glm::length(a);
+        if (length.value == 0)
+            fail(token, "a vector of length 0 has no direction");
+        return a / length;
+    }
+    case Word::vrotate:
+        return rotation(b).map.point(a);
+    default: {
+        separator();
+        const Varying angle = moving_number();
+        if (glm::length(value_of(b)) == 0)
+            fail(token, "the axis has length 0");
+        return rotation_about(b, angle).map.point(a);
+    }
+    }
+}
+
 /// The next number of the stream that is read here.
 double Evaluator::random_number() {
     const Token& at = peek();
-    const double stream = argument();
+    const double stream = number();
     if (!random_.has(stream))
         fail(at, "this is no stream of random numbers", "a stream comes from seed: #declare R = seed(1);");
     ++changes_;
     return random_.next(uint32_t(stream));
-}
-
-double Evaluator::argument() {
-    return number();
 }
 
 } // namespace proxima

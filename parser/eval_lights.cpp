@@ -9,8 +9,8 @@
 namespace proxima {
 namespace {
 
-double cosine_of(double degrees) {
-    return std::cos(degrees * std::numbers::pi / 180);
+Varying cosine_of(const Varying& degrees) {
+    return cos(degrees * std::numbers::pi / 180);
 }
 
 } // namespace
@@ -22,19 +22,19 @@ void Evaluator::light_source(Shape& shape) {
         advance();
     } else {
         LightSource source;
-        source.light.position = vector();
+        source.light.set(source.light.record.position, moving_vector());
         accept(TokenKind::comma);
-        source.light.color = rgb_color();
+        source.light.set(source.light.record.color, rgb_color());
         shape.lights.push_back(source);
     }
     for (;;) {
-        Light<double>& light = shape.lights.front().light;
-        TransformPair transform;
+        Moving<Light<double>>& light = shape.lights.front().light;
+        Transform transform;
         const Token& token = peek();
         if (accept(Word::fade_distance)) {
-            light.fade_distance = float(number());
+            light.set(light.record.fade_distance, moving_number());
         } else if (accept(Word::fade_power)) {
-            light.fade_power = float(number());
+            light.set(light.record.fade_power, moving_number());
         } else if (accept(Word::looks_like)) {
             looks_like(shape);
         } else if (accept(Word::media_interaction)) {
@@ -44,7 +44,7 @@ void Evaluator::light_source(Shape& shape) {
                 fail(token, "Proxima does not support 'media_attenuation'",
                      "leave it out: fog does not dim the way from a light");
         } else if (transform_item(transform)) {
-            transform_object(shape, transform);
+            transform_shape(shape, transform, builder_);
         } else if (!light_kind_item(shape.lights.front()) && !area_light_item(shape.lights.front())) {
             break;
         }
@@ -53,16 +53,17 @@ void Evaluator::light_source(Shape& shape) {
         fail_unexpected(
             "spotlight, cylinder, parallel, area_light, shadowless, fade_distance, fade_power, looks_like, a "
             "transform or '}'");
-    std::optional<AreaLight<double>>& area = shape.lights.front().area;
+    const std::optional<Moving<AreaLight<double>>>& area = shape.lights.front().area;
     if (!area)
         return;
-    if (area->circular && (area->columns < 2 || area->rows < 2))
+    if (area->record.circular && (area->record.columns < 2 || area->record.rows < 2))
         fail(cursor_[-1], "a circular area light needs more than one place along each axis");
 }
 
 /// What shape the light's beam has.
 bool Evaluator::light_kind_item(LightSource& source) {
-    Light<double>& light = source.light;
+    Light<double>& light = source.light.record;
+    const auto set = [&](double& place, const Varying& value) { source.light.set(place, value); };
     const Token& token = peek();
     const auto only_in_beams = [&] {
         if (light.kind == LightKind::point)
@@ -70,21 +71,21 @@ bool Evaluator::light_kind_item(LightSource& source) {
                  "write spotlight or cylinder before it");
     };
     const auto width = [&] {
-        const double value = number();
+        const Varying value = moving_number();
         return light.kind == LightKind::spot ? cosine_of(value) : value;
     };
     if (accept(Word::spotlight)) {
         light.kind = LightKind::spot;
         light.shadowless = 0;
-        light.radius = cosine_of(30);
-        light.falloff = cosine_of(45);
-        light.tightness = 0;
+        set(light.radius, cosine_of(30));
+        set(light.falloff, cosine_of(45));
+        set(light.tightness, 0);
     } else if (accept(Word::cylinder)) {
         light.kind = LightKind::cylinder;
         light.shadowless = 0;
-        light.radius = 0.75;
-        light.falloff = 1;
-        light.tightness = 0;
+        set(light.radius, 0.75);
+        set(light.falloff, 1);
+        set(light.tightness, 0);
     } else if (accept(Word::shadowless)) { // another kind of light to POV-Ray
         light.kind = LightKind::point;
         light.shadowless = 1;
@@ -94,16 +95,16 @@ bool Evaluator::light_kind_item(LightSource& source) {
         if (light.kind == LightKind::point && !light.parallel)
             fail(token, "'point_at' stands in a light without a direction",
                  "write spotlight, cylinder or parallel before it");
-        light.point_at = vector();
+        source.light.set(light.point_at, moving_vector());
     } else if (accept(Word::radius)) {
         only_in_beams();
-        light.radius = width();
+        set(light.radius, width());
     } else if (accept(Word::falloff)) {
         only_in_beams();
-        light.falloff = width();
+        set(light.falloff, width());
     } else if (accept(Word::tightness)) {
         only_in_beams();
-        light.tightness = number();
+        set(light.tightness, moving_number());
     } else {
         return false;
     }
@@ -111,14 +112,14 @@ bool Evaluator::light_kind_item(LightSource& source) {
 }
 
 bool Evaluator::area_light_item(LightSource& source) {
-    std::optional<AreaLight<double>>& area = source.area;
+    std::optional<Moving<AreaLight<double>>>& area = source.area;
     const Token& token = peek();
     if (accept(Word::area_light)) {
-        AreaLight<double> given = area.value_or(AreaLight<double>{});
-        given.axis1 = vector();
+        Moving<AreaLight<double>> given = area.value_or(Moving<AreaLight<double>>{});
+        given.set(given.record.axis1, moving_vector());
         accept(TokenKind::comma);
-        given.axis2 = vector();
-        for (uint32_t* places : {&given.columns, &given.rows}) {
+        given.set(given.record.axis2, moving_vector());
+        for (uint32_t* places : {&given.record.columns, &given.record.rows}) {
             accept(TokenKind::comma);
             const Token& at = peek();
             const double count = std::trunc(number());
@@ -140,17 +141,17 @@ bool Evaluator::area_light_item(LightSource& source) {
     switch (Word(token.index)) {
     case Word::adaptive: {
         const double level = std::trunc(number());
-        area->adaptive = level >= 8 ? AreaLight<double>::every_place : level > 0 ? uint32_t(level) : 0u;
+        area->record.adaptive = level >= 8 ? AreaLight<double>::every_place : level > 0 ? uint32_t(level) : 0u;
         break;
     }
     case Word::orient:
-        area->orient = area->circular = 1; // POV-Ray makes such a light circular
+        area->record.orient = area->record.circular = 1; // POV-Ray makes such a light circular
         break;
     case Word::circular:
-        area->circular = 1;
+        area->record.circular = 1;
         break;
     default:
-        area->jitter = 1;
+        area->record.jitter = 1;
     }
     return true;
 }
@@ -163,7 +164,8 @@ void Evaluator::looks_like(Shape& shape) {
     Shape look = object();
     look.own.flags |= material_no_shadow;
     look.dress_parts();
-    transform_object(look, translation(shape.lights.front().light.position));
+    const Moving<Light<double>>& light = shape.lights.front().light;
+    transform_shape(look, Transform(translation(light.get(light->position))), builder_);
     expect(TokenKind::right_brace);
     shape.append(look);
 }

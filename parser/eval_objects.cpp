@@ -62,18 +62,23 @@ void Evaluator::sphere(Shape& shape) {
         advance();
         return;
     }
-    shape.spheres.push_back({sphere_numbers(), {}});
+    PartNodes nodes;
+    shape.spheres.push_back({sphere_numbers(nodes), {}});
+    if ((nodes.vector | nodes.number) != 0)
+        shape.moving_spheres.push_back(nodes);
 }
 
-/// Centre and radius.
-Sphere<double> Evaluator::sphere_numbers() {
-    const Vec3<double> center = vector();
+/// Centre and radius, and their nodes. The programs for spheres see to it that a radius stays above 0.
+Sphere<double> Evaluator::sphere_numbers(PartNodes& nodes) {
+    const Terms center = vector_of(3, "a vector");
     accept(TokenKind::comma);
     const Token& at = peek();
-    const double radius = number();
-    if (!(radius > 0))
-        fail(at, fmt::format("the radius of a sphere must be above 0, this one is {}", radius));
-    return {center, radius};
+    const Varying radius = moving_number();
+    if (!(radius.value > 0))
+        fail(at, fmt::format("the radius of a sphere must be above 0, this one is {}", radius.value));
+    nodes.vector = center.nodes;
+    nodes.number = radius.node;
+    return {center.vector(), radius.value};
 }
 
 /// A sphere of its own, behind its word. Loops make millions of them: one that ends plainly goes straight into the
@@ -85,11 +90,14 @@ void Evaluator::sphere_item() {
     if (identifier<ShapeRef>()) {
         sphere(shape);
     } else {
-        const Sphere<double> numbers = sphere_numbers();
+        PartNodes nodes;
+        const Sphere<double> numbers = sphere_numbers(nodes);
         Surface surface;
         if (plain_end(surface))
-            return builder_.add_sphere(numbers, surface, default_texture_);
+            return builder_.add_sphere(numbers, nodes, surface, default_texture_);
         shape.spheres.push_back({numbers, {}});
+        if ((nodes.vector | nodes.number) != 0)
+            shape.moving_spheres.push_back(nodes);
     }
     object_modifiers(shape, Word::sphere);
     shape.dress_parts();
@@ -123,13 +131,16 @@ void Evaluator::plane(Shape& shape) {
         return;
     }
     const Token& at = peek();
-    const Vec3<double> normal = vector();
+    const Vec3<Varying> normal = moving_vector();
     accept(TokenKind::comma);
-    const double distance = number();
-    const double length = glm::length(normal);
-    if (!(length > 0))
+    const Varying distance = moving_number();
+    const Varying length = glm::length(normal);
+    if (!(length.value > 0))
         fail(at, "the normal of a plane must have a length");
-    shape.planes.push_back({{normal / length, distance, 0}, {}});
+    const Vec3<Varying> unit = normal / length;
+    shape.planes.push_back({{value_of(unit), distance.value, 0}, {}});
+    if (const NodeId nodes = Terms(unit).nodes; (nodes | distance.node) != 0)
+        shape.moving_planes.push_back({0, nodes, distance.node});
 }
 
 void Evaluator::union_parts(Shape& shape) {
@@ -160,15 +171,11 @@ void Evaluator::object_reference(Shape& shape) {
     }
 }
 
-void Evaluator::transform_object(Shape& shape, const TransformPair& transform) {
-    transform_shape(shape, transform.map, transform.inverse, builder_);
-}
-
 /// What follows an object's geometry, to the closing brace. The order matters: a transform moves what stands before it.
 void Evaluator::object_modifiers(Shape& shape, Word kind) {
     Surface& own = shape.own;
     for (;;) {
-        TransformPair transform;
+        Transform transform;
         if (accept(TokenKind::right_brace)) {
             return;
         } else if (accept(Word::texture)) {
@@ -189,7 +196,7 @@ void Evaluator::object_modifiers(Shape& shape, Word kind) {
         } else if (kind == Word::union_ && accept(Word::split_union)) {
             number(); // matters to POV-Ray's bounding boxes alone
         } else if (transform_item(transform)) {
-            transform_object(shape, transform);
+            transform_shape(shape, transform, builder_);
         } else {
             fail_unexpected("texture, pigment, finish, interior, a transform or '}'");
         }
@@ -234,7 +241,7 @@ uint32_t Evaluator::literal_texture(uint32_t surface) {
         return Surface::none;
     if (surface & SphereRun::color_flag) {
         PigmentValue value;
-        value.pigment.color.rgb = program_->colors[surface & ~SphereRun::color_flag];
+        value.pigment.record.color.rgb = program_->colors[surface & ~SphereRun::color_flag];
         std::vector<Layer> layers = builder_.texture(default_texture_);
         layers.back().pigment = builder_.add_pigment(value);
         return builder_.add_texture(layers);

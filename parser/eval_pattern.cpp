@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace proxima {
 namespace {
@@ -22,8 +23,7 @@ constexpr NamedPattern patterns[] = {
 
 // What POV-Ray takes when no colour map is given.
 constexpr ColorStop grey_map[] = {{0, {}}, {1, {glm::vec3(1)}}};
-constexpr ColorStop radial_map[] = {
-    {0, {{0, 1, 1}}}, {0.333f, {{1, 1, 0}}}, {0.666f, {{1, 0, 1}}}, {1, {{0, 1, 1}}}};
+constexpr ColorStop radial_map[] = {{0, {{0, 1, 1}}}, {0.333f, {{1, 1, 0}}}, {0.666f, {{1, 0, 1}}}, {1, {{0, 1, 1}}}};
 
 struct NamedWave {
     Word word;
@@ -45,19 +45,19 @@ bool Evaluator::pattern_kind(PigmentValue& value) {
         if (axis == Vec3<double>(0))
             fail(at, "the axis of a gradient must have a length");
         value = {};
-        value.pigment.kind = PigmentKind::gradient;
+        value.pigment.record.kind = PigmentKind::gradient;
         const Vec3<double> unit = glm::normalize(axis);
         const bool mostly_x = std::abs(unit.x) > 0.5;
         const Vec3<double> side = glm::normalize(glm::cross(Vec3<double>(!mostly_x, mostly_x, 0), unit));
         const Vec3<double> other = glm::cross(unit, side);
         for (int i = 0; i < 3; ++i) // the axis becomes the x of the pattern's space
-            value.pattern_from_world.linear[i] = {unit[i], side[i], other[i]};
+            value.pattern_from_world.linear[i] = Vec3<Varying>(unit[i], side[i], other[i]);
         return true;
     }
     for (const NamedPattern& pattern : patterns)
         if (accept(pattern.word)) {
             value = {};
-            value.pigment.kind = pattern.kind;
+            value.pigment.record.kind = pattern.kind;
             return true;
         }
     return false;
@@ -65,17 +65,19 @@ bool Evaluator::pattern_kind(PigmentValue& value) {
 
 /// Gives a pattern that has no colour map the one that POV-Ray takes.
 void Evaluator::complete_pattern(PigmentValue& value) {
-    if (!has_color_map(value.pigment.kind) || value.pattern.stop_count > 0)
+    if (!has_color_map(value.pigment->kind) || value.pattern->stop_count > 0)
         return;
-    const ColorMapRef map = value.pigment.kind == PigmentKind::radial ? builder_.add_color_map(radial_map)
-                                                                      : builder_.add_color_map(grey_map);
-    value.pattern.first_stop = map.first;
-    value.pattern.stop_count = map.count;
+    std::vector<Moving<ColorStop>> stops(std::begin(grey_map), std::end(grey_map));
+    if (value.pigment->kind == PigmentKind::radial)
+        stops.assign(std::begin(radial_map), std::end(radial_map));
+    const ColorMapRef map = builder_.add_color_map(stops);
+    value.pattern.record.first_stop = map.first;
+    value.pattern.record.stop_count = map.count;
 }
 
 /// Reads what may stand behind a pattern, if the next token begins such a thing.
 bool Evaluator::pattern_item(PigmentValue& value) {
-    Pattern& pattern = value.pattern;
+    Pattern& pattern = value.pattern.record;
     const Token& word = peek();
     if (accept(Word::color_map) || accept(Word::colour_map)) {
         if (builder_.has_pigment_map(pattern))
@@ -86,18 +88,18 @@ bool Evaluator::pattern_item(PigmentValue& value) {
         return true;
     }
     if (accept(Word::frequency)) {
-        pattern.frequency = float(number());
+        value.pattern.set(pattern.frequency, moving_number());
         return true;
     }
     if (accept(Word::phase)) {
-        pattern.phase = float(number());
+        value.pattern.set(pattern.phase, moving_number());
         return true;
     }
     for (const NamedWave& wave : waves)
         if (accept(wave.word)) {
             pattern.wave = wave.wave;
             if (wave.wave == Wave::poly && starts_expression())
-                pattern.exponent = float(number());
+                value.pattern.set(pattern.exponent, moving_number());
             return true;
         }
     return false;
@@ -112,20 +114,22 @@ ColorMapRef Evaluator::color_map() {
         expect(TokenKind::right_brace);
         return map;
     }
-    std::vector<ColorStop> stops;
+    std::vector<Moving<ColorStop>> stops;
     while (accept(TokenKind::left_bracket)) {
         const Token& at = peek();
-        ColorStop stop{float(number()), {}};
+        Moving<ColorStop> stop;
+        ColorStop& entry = stop.record;
+        entry.value = float(number());
         accept(TokenKind::comma);
         if (!starts_color()) {
             const float end = float(number());
             accept(TokenKind::comma);
-            stop.color = surface_color(color());
+            set_color(stop, entry.color, color());
             stops.push_back(stop);
-            stop.value = end;
+            entry.value = end;
             accept(TokenKind::comma);
         }
-        stop.color = surface_color(color());
+        set_color(stop, entry.color, color());
         stops.push_back(stop);
         expect(TokenKind::right_bracket);
         check_rising(at, stops);
@@ -138,11 +142,11 @@ ColorMapRef Evaluator::color_map() {
 }
 
 /// Whether the last two stops, which may come together, follow those before.
-void Evaluator::check_rising(const Token& at, std::span<const ColorStop> stops) const {
+void Evaluator::check_rising(const Token& at, std::span<const Moving<ColorStop>> stops) const {
     for (size_t i = std::max<size_t>(stops.size(), 3) - 2; i < stops.size(); ++i)
-        if (stops[i].value < stops[i - 1].value)
-            fail(at, fmt::format("the values of a color map must rise, {} stands behind {}", stops[i].value,
-                                 stops[i - 1].value));
+        if (stops[i]->value < stops[i - 1]->value)
+            fail(at, fmt::format("the values of a color map must rise, {} stands behind {}", stops[i]->value,
+                                 stops[i - 1]->value));
 }
 
 } // namespace proxima

@@ -24,10 +24,10 @@ PigmentMapRef Evaluator::pigment_map() {
         expect(TokenKind::right_brace);
         return map;
     }
-    std::vector<ColorStop> stops;
+    std::vector<Moving<ColorStop>> stops;
     while (accept(TokenKind::left_bracket)) {
         const Token& at = peek();
-        ColorStop& stop = stops.emplace_back();
+        ColorStop& stop = stops.emplace_back().record;
         stop.value = float(number());
         accept(TokenKind::comma);
         if (!starts_pigment())
@@ -53,18 +53,21 @@ bool Evaluator::pigment_map_item(PigmentValue& value, bool own_pattern) {
         return false;
     if (!own_pattern)
         fail(word, "the pattern of this pigment_map stands in another pigment", "write the pattern in this one");
-    if (value.pattern.stop_count > 0)
+    if (value.pattern->stop_count > 0)
         fail(word, "this pattern has a map already");
     const PigmentMapRef map = pigment_map();
-    value.pattern.first_stop = map.first;
-    value.pattern.stop_count = map.count;
+    Pattern& pattern = value.pattern.record;
+    pattern.first_stop = map.first;
+    pattern.stop_count = map.count;
     // The map's pigments see the block's space, the kernel has points of the pattern's: a gradient's is turned.
-    if (const Mat3<double>& turn = value.pattern_from_world.linear; turn != Mat3<double>(1)) {
+    if (const Mat3<double> turn = value_of(value.pattern_from_world).linear; turn != Mat3<double>(1)) {
         const std::span all(builder_.program().color_stops);
-        std::vector<ColorStop> turned(all.begin() + map.first, all.begin() + map.first + map.count);
-        for (ColorStop& stop : turned)
-            stop.pigment = builder_.transform_pigment(stop.pigment, {glm::transpose(turn), Vec3<double>(0)});
-        value.pattern.first_stop = builder_.add_color_map(turned).first;
+        std::vector<Moving<ColorStop>> turned(all.begin() + map.first, all.begin() + map.first + map.count);
+        const Vec3<double> origin(0);
+        const Transform turning(TransformPair{{turn, origin}, {glm::transpose(turn), origin}});
+        for (Moving<ColorStop>& stop : turned)
+            stop.record.pigment = builder_.transform_pigment(stop->pigment, turning);
+        pattern.first_stop = builder_.add_color_map(turned).first;
     }
     return true;
 }

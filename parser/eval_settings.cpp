@@ -15,14 +15,14 @@ void Evaluator::global_settings() {
         if (accept(Word::assumed_gamma)) {
             assumed_gamma();
         } else if (accept(Word::ambient_light)) {
-            scene.ambient_light = rgb_color();
+            builder_.set(scene.ambient_light, rgb_color());
         } else if (accept(Word::max_trace_level)) {
             const double level = std::trunc(number());
             if (!(level >= 1 && level <= 256))
                 fail(token, fmt::format("max_trace_level must lie between 1 and 256, this one is {}", level));
             scene.max_trace_level = uint32_t(level);
         } else if (accept(Word::adc_bailout)) {
-            scene.adc_bailout = float(number());
+            builder_.set(scene.adc_bailout, moving_number());
         } else if (accept(Word::charset)) {
             if (!accept(Word::ascii) && !accept(Word::utf8))
                 fail_unexpected("ascii or utf8");
@@ -56,11 +56,12 @@ void Evaluator::assumed_gamma() {
 }
 
 /// Linear light as a number of the working space.
-double Evaluator::encode_working(double linear) {
+Varying Evaluator::encode_working(const Varying& linear) {
     const WorkingCurve curve = builder_.program().working_curve;
+    const auto power = [&](double exponent) { return apply(MotionOp::pow, linear, exponent); };
     if (curve == WorkingCurve::srgb)
-        return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-    return curve == WorkingCurve::power ? std::pow(linear, 1.0 / builder_.program().working_gamma) : linear;
+        return choose(apply(MotionOp::greater, linear, 0.0031308), 1.055 * power(1 / 2.4) - 0.055, linear * 12.92);
+    return curve == WorkingCurve::power ? power(1.0 / builder_.program().working_gamma) : linear;
 }
 
 /// POV-Ray decides by the version that holds at the end of the scene.

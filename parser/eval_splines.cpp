@@ -70,6 +70,8 @@ void Evaluator::spline_point(Spline& spline) {
     terms.promote(std::max(terms.count, 2));
     if (!terms.finite())
         fail(point_at, "this point is not finite");
+    if (terms.nodes)
+        look_at(span(at), at, terms.nodes);
     if (spline.terms == 0)
         spline.terms = terms.count;
     if (terms.count != spline.terms)

@@ -55,26 +55,28 @@ std::string Evaluator::string() {
     std::string result;
     switch (Word(token.index)) {
     case Word::str: {
-        const double value = argument();
+        const double value = number();
         separator();
-        const double length = argument();
+        const double length = number();
         separator();
-        result = formatted(value, length, argument());
+        result = formatted(value, length, number());
         break;
     }
     case Word::vstr: {
-        const double count = argument();
+        const double count = number();
         separator();
         const Token& at = peek();
         const Terms terms = sum();
         if (!(count >= 2 && count <= 5) || terms.count == 1)
             fail(at, "vstr takes a vector and its number of terms, 2 to 5");
+        if (terms.nodes)
+            look_at(span(at), at, terms.nodes);
         separator();
         const std::string between = string();
         separator();
-        const double length = argument();
+        const double length = number();
         separator();
-        const double precision = argument();
+        const double precision = number();
         for (int i = 0; i < int(count); ++i)
             result += (i > 0 ? between : "") + formatted(i < terms.count ? terms.value[i] : 0, length, precision);
         break;
@@ -88,7 +90,7 @@ std::string Evaluator::string() {
         } while (accept(TokenKind::comma));
         break;
     case Word::chr: {
-        const double code = argument();
+        const double code = number();
         if (!(code >= 1 && code <= 127))
             fail(token, "chr takes a number from 1 to 127");
         result = std::string(1, char(code));
@@ -97,9 +99,9 @@ std::string Evaluator::string() {
     case Word::substr: {
         const std::string text = string();
         separator();
-        const double start = argument();
+        const double start = number();
         separator();
-        const double length = argument();
+        const double length = number();
         if (!(start >= 1 && length >= 0 && start - 1 + length <= double(text.size())))
             fail(token, fmt::format("the string has {} characters and no such part", text.size()));
         result = text.substr(size_t(start) - 1, size_t(length));

@@ -11,18 +11,23 @@ Terms Evaluator::vector_literal() {
     expect(TokenKind::left_angle);
     Terms terms;
     terms.count = 0;
+    NodeId nodes[5] = {};
+    NodeId any = 0;
     for (;;) {
         const Token& at = peek();
         if (terms.count >= 2 && at.kind == TokenKind::right_angle)
             break;
         if (terms.count == 5)
             fail_unexpected("'>': a vector has at most 5 terms");
-        const double value = number();
-        terms.value[terms.count++] = value;
+        const Varying number = moving_number();
+        any |= nodes[terms.count] = number.node;
+        terms.value[terms.count++] = number.value;
         if (accept(TokenKind::comma) && terms.count == 5 && peek().kind == TokenKind::right_angle)
             fail_unexpected("no comma behind the fifth term");
     }
     advance();
+    if (any) [[unlikely]]
+        terms.nodes = graph_.terms(nodes);
     return terms;
 }
 
@@ -43,7 +48,7 @@ void Evaluator::access(Terms& terms) {
     if (accept(Word::gray)) {
         if (terms.count < 3)
             fail(token, "only a color has a gray");
-        terms = Terms(0.297 * terms.value[0] + 0.589 * terms.value[1] + 0.114 * terms.value[2]);
+        terms = Terms(0.297 * terms.term(0) + 0.589 * terms.term(1) + 0.114 * terms.term(2));
         return;
     }
     for (const Member& member : members) {
@@ -51,7 +56,7 @@ void Evaluator::access(Terms& terms) {
             continue;
         if (member.index >= terms.count)
             fail(token, fmt::format("this vector has {} terms and no .{}", terms.count, spelling(token)));
-        terms = Terms(terms.value[member.index]);
+        terms = Terms(terms.term(member.index));
         return;
     }
     fail_unexpected("x, y, z, t, u, v, red, green, blue, filter, transmit or gray");
@@ -93,7 +98,7 @@ bool is_plain_call(const Token* token) {
 
 } // namespace
 
-double Evaluator::number() {
+Varying Evaluator::moving_number() {
     const Token& token = peek();
     // The commonest number stands alone before a comma or a bracket.
     if (token.kind == TokenKind::number && (&token)[1].kind == TokenKind::comma) {
@@ -104,7 +109,7 @@ double Evaluator::number() {
     if (token.kind == TokenKind::name && token.directive == Directive::none && ends_number((&token)[1].kind)) {
         const Terms* terms = identifier<Terms>();
         if (terms && terms->count == 1 && std::isfinite(terms->value[0])) {
-            const double value = terms->value[0];
+            const Varying value(terms->value[0], terms->nodes);
             advance();
             return value;
         }
@@ -123,7 +128,7 @@ double Evaluator::number() {
         throw SceneError(place, "a number is needed here, not a vector or color", "take one term of it, like .x");
     if (!terms.finite())
         throw SceneError(place, "this number is not finite");
-    return terms.value[0];
+    return {terms.value[0], terms.nodes};
 }
 
 Terms Evaluator::vector_of(int count, const char* what) {
@@ -138,7 +143,12 @@ Terms Evaluator::vector_of(int count, const char* what) {
 }
 
 Vec3<double> Evaluator::vector() {
-    return vector_of(3, "a vector").vector();
+    const Token& first = peek();
+    const SourceSpan place = span(first);
+    const Terms terms = vector_of(3, "a vector");
+    if (terms.nodes)
+        look_at(place, first, terms.nodes);
+    return terms.vector();
 }
 
 bool Evaluator::optional_flag(bool value) {

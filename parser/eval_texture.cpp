@@ -25,29 +25,30 @@ PigmentRef Evaluator::pigment_items(uint32_t base, TokenKind closing) {
     bool own_pattern = false;
     if (accept(Word::checker)) {
         value = {};
-        value.pigment.kind = PigmentKind::checker;
-        value.pigment.color.rgb = {0, 0, 1}; // POV-Ray's checker is blue and green unless told
-        value.pigment.second_color.rgb = {0, 1, 0};
+        Pigment& pigment = value.pigment.record;
+        pigment.kind = PigmentKind::checker;
+        pigment.color.rgb = {0, 0, 1}; // POV-Ray's checker is blue and green unless told
+        pigment.second_color.rgb = {0, 1, 0};
         if (starts_color()) {
-            value.pigment.color = surface_color(color());
+            set_color(value.pigment, pigment.color, color());
             accept(TokenKind::comma);
             if (starts_color())
-                value.pigment.second_color = surface_color(color());
+                set_color(value.pigment, pigment.second_color, color());
         }
     } else if (pattern_kind(value)) {
         own_pattern = true;
         expected = "color_map, pigment_map, frequency, phase, a wave, a transform";
     } else if (starts_color()) {
         value = {};
-        value.pigment.color = surface_color(color());
+        set_color(value.pigment, value.pigment.record.color, color());
     } else {
         expected = "a color (like rgb <1, 0, 0>), a pattern, a transform";
     }
-    TransformPair transform;
+    Transform transform;
     for (;;) {
         if (accept(Word::quick_color) || accept(Word::quick_colour))
             color(); // used by POV-Ray's previews alone
-        else if (has_color_map(value.pigment.kind) && (pattern_item(value) || pigment_map_item(value, own_pattern)))
+        else if (has_color_map(value.pigment->kind) && (pattern_item(value) || pigment_map_item(value, own_pattern)))
             continue;
         else if (!transform_item(transform))
             break;
@@ -55,30 +56,33 @@ PigmentRef Evaluator::pigment_items(uint32_t base, TokenKind closing) {
     if (!accept(closing))
         fail_unexpected(expected + (closing == TokenKind::right_brace ? " or '}'" : " or ']'"));
     complete_pattern(value);
-    value.pattern_from_world = compose(value.pattern_from_world, transform.inverse);
+    if (value.pigment->kind != PigmentKind::solid && !transform.is_identity)
+        value.pattern_from_world = compose(value.pattern_from_world, transform.with_nodes().inverse);
     return {builder_.add_pigment(value)};
 }
 
 /// `interior { ... }` after its word.
 InteriorRef Evaluator::interior(uint32_t base) {
     expect(TokenKind::left_brace);
-    Interior value = builder_.interior(base);
+    Moving<Interior> moving = builder_.interior(base);
+    Interior& value = moving.record;
     if (const InteriorRef* declared = identifier<InteriorRef>()) {
-        value = builder_.interior(declared->index);
+        moving = builder_.interior(declared->index);
         advance();
     }
     for (;;) {
         const Token& token = peek();
         if (accept(Word::ior)) {
-            value.ior = float(number());
-            if (!(value.ior > 0))
+            const Varying ior = moving_number();
+            if (!decide(apply(MotionOp::greater, ior, 0)) || !(float(ior.value) > 0))
                 fail(token, "ior must be above 0");
+            moving.set(value.ior, ior);
         } else if (accept(Word::fade_distance)) {
-            value.fade_distance = float(number());
+            moving.set(value.fade_distance, moving_number());
         } else if (accept(Word::fade_power)) {
-            value.fade_power = float(number());
+            moving.set(value.fade_power, moving_number());
         } else if (accept(Word::fade_color) || accept(Word::fade_colour)) {
-            value.fade_color = rgb_color();
+            moving.set(value.fade_color, rgb_color());
         } else if (accept(Word::caustics)) {
             if (number() != 0)
                 fail(token, "Proxima does not support 'caustics'", "leave it out or set it to 0");
@@ -88,7 +92,7 @@ InteriorRef Evaluator::interior(uint32_t base) {
     }
     if (!accept(TokenKind::right_brace))
         fail_unexpected("ior, fade_distance, fade_power, fade_color or '}'");
-    return {builder_.add_interior(value)};
+    return {builder_.add_interior(moving)};
 }
 
 /// `above` laid over `below`, which may be Surface::none.
@@ -125,13 +129,13 @@ uint32_t Evaluator::with_finish(uint32_t texture) {
 
 /// Reads a pigment, finish or transform of a texture, if the next token begins one.
 bool Evaluator::texture_item(uint32_t& texture) {
-    TransformPair transform;
+    Transform transform;
     if (accept(Word::pigment))
         texture = with_pigment(texture);
     else if (accept(Word::finish))
         texture = with_finish(texture);
     else if (transform_item(transform))
-        texture = builder_.transform_texture(texture, transform.inverse);
+        texture = builder_.transform_texture(texture, transform);
     else
         return false;
     return true;
@@ -161,7 +165,7 @@ MaterialValue Evaluator::material() {
         advance();
     }
     for (;;) {
-        TransformPair transform;
+        Transform transform;
         if (accept(Word::texture))
             value.texture = layered(value.texture, texture().index);
         else if (accept(Word::interior))
@@ -169,7 +173,7 @@ MaterialValue Evaluator::material() {
         else if (!transform_item(transform))
             break;
         else if (value.texture != Surface::none)
-            value.texture = builder_.transform_texture(value.texture, transform.inverse);
+            value.texture = builder_.transform_texture(value.texture, transform);
     }
     if (!accept(TokenKind::right_brace))
         fail_unexpected("texture, interior, a transform or '}'");

@@ -2,30 +2,31 @@
 // translate, rotate, scale, matrix and transform.
 #include "parser/evaluator.h"
 
+#include <cmath>
+
 namespace proxima {
 
 /// Reads one transform, if the next token begins one, and appends it to `result`.
-bool Evaluator::transform_item(TransformPair& result) {
+bool Evaluator::transform_item(Transform& result) {
     const Token& token = peek();
     if (accept(Word::translate)) {
-        result = then(result, translation(vector()));
+        const Terms terms = vector_of(3, "a vector");
+        result = then(result, terms.nodes ? Transform(translation(terms.varying_vector()))
+                                          : Transform(translation(terms.vector())));
     } else if (accept(Word::rotate)) {
-        result = then(result, rotation(vector()));
+        const Terms terms = vector_of(3, "a vector");
+        result = then(result,
+                      terms.nodes ? Transform(rotation(terms.varying_vector())) : Transform(rotation(terms.vector())));
     } else if (accept(Word::scale)) {
-        Vec3<double> factors = vector();
-        for (int i = 0; i < 3; ++i) {
-            if (factors[i] != 0)
-                continue;
-            warn(token, "a scale of 0 is taken as 1");
-            factors[i] = 1;
-        }
-        result = then(result, scaling(factors));
+        result = then(result, scale_item(token));
     } else if (accept(Word::matrix)) {
-        bool invertible = false;
-        const TransformPair map = from_matrix(matrix(), invertible);
-        if (!invertible)
+        const Affine<Varying> map = matrix();
+        const double determinant = glm::determinant(value_of(map).linear);
+        if (!std::isfinite(determinant) || determinant == 0)
             fail(token, "this matrix squeezes space flat: it has no inverse");
-        result = then(result, map);
+        Transform transform(from_matrix(map));
+        transform.keeps_spheres = false;
+        result = then(result, transform);
     } else if (accept(Word::transform)) {
         if (const TransformRef* declared = identifier<TransformRef>()) {
             result = then(result, **declared);
@@ -39,9 +40,29 @@ bool Evaluator::transform_item(TransformPair& result) {
     return true;
 }
 
-TransformPair Evaluator::transform_block() {
+/// `scale` behind its word.
+Transform Evaluator::scale_item(const Token& token) {
+    const Terms terms = vector_of(3, "a vector");
+    Vec3<Varying> factors = terms.varying_vector();
+    for (int i = 0; i < 3; ++i) {
+        if (!decide(apply(MotionOp::is_zero, factors[i])))
+            continue;
+        warn(token, "a scale of 0 is taken as 1");
+        factors[i] = 1.0;
+    }
+    if (!terms.nodes) {
+        Transform transform(scaling(value_of(factors)));
+        transform.keeps_spheres = factors.x.value == factors.y.value && factors.x.value == factors.z.value;
+        return transform;
+    }
+    Transform transform(scaling(factors));
+    transform.keeps_spheres = factors.x.node == factors.y.node && factors.x.node == factors.z.node;
+    return transform;
+}
+
+Transform Evaluator::transform_block() {
     expect(TokenKind::left_brace);
-    TransformPair result;
+    Transform result;
     bool inverted = false;
     for (;;) {
         if (const TransformRef* declared = identifier<TransformRef>()) {
@@ -58,14 +79,14 @@ TransformPair Evaluator::transform_block() {
 }
 
 /// Twelve numbers: where x, y, z and the origin go.
-Affine<double> Evaluator::matrix() {
+Affine<Varying> Evaluator::matrix() {
     expect(TokenKind::left_angle);
-    Affine<double> map;
+    Affine<Varying> map;
     for (int row = 0; row < 4; ++row) {
-        Vec3<double> image;
+        Vec3<Varying> image;
         for (int i = 0; i < 3; ++i) {
             const Token& at = peek();
-            image[i] = checked(at, number());
+            image[i] = checked(at, moving_number());
             if (row < 3 || i < 2)
                 accept(TokenKind::comma);
         }

@@ -8,7 +8,9 @@
 namespace proxima {
 
 Evaluator::Evaluator(ScriptSources& sources, const EvaluationSettings& settings, Diagnostics& diagnostics)
-    : sources_(sources), settings_(settings), diagnostics_(diagnostics) {
+    : sources_(sources), settings_(settings), diagnostics_(diagnostics), builder_(graph_) {
+    if (settings.record_motion)
+        graph_.start();
     PigmentValue black;
     const Layer layer{builder_.add_pigment(black), builder_.add_finish(Finish{})};
     default_texture_ = builder_.add_texture({&layer, 1});
@@ -18,6 +20,7 @@ Evaluator::Evaluator(ScriptSources& sources, const EvaluationSettings& settings,
 }
 
 SceneProgram Evaluator::run() {
+    const MotionGraph::Recording recording(graph_);
     program_ = sources_.program(0, diagnostics_);
     if (!program_)
         return {};
@@ -42,13 +45,19 @@ SceneProgram Evaluator::run() {
     if (!diagnostics_.has_errors())
         note_unused();
     finish_settings();
-    return builder_.finish_program();
+    SceneProgram program = builder_.finish_program();
+    if (builder_.motion_failed() && !obstacle_)
+        obstacle_.emplace().reason = "what moves is too much, or too long an expression, for motion programs";
+    program.obstacle = std::move(obstacle_);
+    return program;
 }
 
 /// Evaluates one item of the scene. False at the end.
 bool Evaluator::item() {
     in_item_ = false;
     item_start_ = cursor_;
+    if (graph_.is_crowded())
+        collect_nodes();
     const Token& token = peek();
     in_item_ = true;
     item_start_ = cursor_;
@@ -64,16 +73,16 @@ bool Evaluator::item() {
         shape.dress_parts();
         builder_.add_shape(shape, default_texture_);
     } else if (accept(Word::camera)) {
-        builder_.program().camera = camera();
+        builder_.set_camera(camera());
         if (has_camera_)
             warn(token, "this camera replaces the one before it");
         has_camera_ = true;
     } else if (accept(Word::background)) {
         background();
     } else if (accept(Word::sky_sphere)) {
-        builder_.program().sky = sky_sphere();
+        builder_.set_sky(sky_sphere());
     } else if (accept(Word::fog)) {
-        builder_.program().fogs.push_back(fog());
+        builder_.add_fog(fog());
     } else if (accept(Word::global_settings)) {
         global_settings();
     } else {

@@ -2,13 +2,13 @@
 // Runs token programs: a recursive-descent reader of the scene language whose next token may be a directive, which it
 // runs first. In goes a ScriptSources, out comes a SceneProgram. The methods are defined by topic in the eval_*.cpp.
 #pragma once
-#include "parser/affine_math.h"
 #include "parser/diagnostics.h"
 #include "parser/random_streams.h"
 #include "parser/scene_builder.h"
 #include "parser/scene_script.h"
 #include "parser/scopes.h"
 #include "parser/script_sources.h"
+#include "parser/shape_transform.h"
 #include "parser/words.h"
 
 #include <chrono>
@@ -65,6 +65,12 @@ private:
         std::vector<uint32_t> path;   ///< as BindingRef::element
         ArrayRef array;               ///< which keeps the value
         const Value* value = nullptr; ///< std::monostate: none yet
+    };
+
+    /// What look_at needs beside the camera.
+    struct CameraFrame {
+        Vec3<Varying> sky;
+        Varying direction_length;
     };
 
     // eval_tokens.cpp: the stream of tokens
@@ -174,6 +180,12 @@ private:
         return value ? std::get_if<T>(value) : nullptr;
     }
 
+    // eval_motion.cpp
+    void look_at(SourceSpan place, const Token& first, NodeId nodes);
+    std::string word_before(const Token& number) const;
+    void stop_recording(SourceSpan place, std::string word, std::string reason);
+    void collect_nodes();
+
     // eval_budget.cpp
     void charge(uint64_t bytes);
     void check_budget();
@@ -235,17 +247,28 @@ private:
     Terms vector_literal();
     void access(Terms& terms);
     bool starts_expression();
-    double number();
-    Vec3<double> vector();
+    /// A number that may follow from the time, and one whose value now is all that counts: if it follows from the time,
+    /// each frame needs an evaluation of its own.
+    Varying moving_number();
+    double number() {
+        const Token& first = peek();
+        const SourceSpan place = span(first);
+        const Varying value = moving_number();
+        if (value.node) [[unlikely]]
+            look_at(place, first, value.node);
+        return value.value;
+    }
     Terms vector_of(int count, const char* what);
+    Vec3<Varying> moving_vector() { return vector_of(3, "a vector").varying_vector(); }
+    Vec3<double> vector();
     bool optional_flag(bool value); ///< on, off, or nothing
 
     // eval_functions.cpp
     Terms call_function(const Token& word);
-    double argument();
+    Terms vector_function(const Token& word);
     double random_number();
     void separator();
-    double checked(const Token& at, double value);
+    Varying checked(const Token& at, const Varying& value);
 
     // eval_strings.cpp
     bool starts_string();
@@ -255,13 +278,13 @@ private:
     // eval_color.cpp
     bool starts_color();
     Terms color();
-    glm::vec3 rgb_color();
+    Vec3<Varying> rgb_color();
 
     // eval_texture.cpp
     PigmentRef pigment(uint32_t base);
     PigmentRef pigment_items(uint32_t base, TokenKind closing);
     FinishRef finish(uint32_t base);
-    void reflection(Finish& finish);
+    void reflection(Moving<Finish>& finish);
     InteriorRef interior(uint32_t base);
     TextureRef texture();
     MaterialValue material();
@@ -276,7 +299,7 @@ private:
     bool pattern_item(PigmentValue& value);
     void complete_pattern(PigmentValue& value);
     ColorMapRef color_map();
-    void check_rising(const Token& at, std::span<const ColorStop> stops) const;
+    void check_rising(const Token& at, std::span<const Moving<ColorStop>> stops) const;
 
     // eval_pigment_map.cpp
     PigmentMapRef pigment_map();
@@ -284,9 +307,10 @@ private:
     bool starts_pigment();
 
     // eval_transform.cpp
-    bool transform_item(TransformPair& result);
-    TransformPair transform_block();
-    Affine<double> matrix();
+    bool transform_item(Transform& result);
+    Transform scale_item(const Token& token);
+    Transform transform_block();
+    Affine<Varying> matrix();
 
     // eval_objects.cpp
     bool starts_object();
@@ -294,7 +318,7 @@ private:
     Shape object();
     void sphere_item();
     bool plain_end(Surface& surface);
-    Sphere<double> sphere_numbers();
+    Sphere<double> sphere_numbers(PartNodes& nodes);
     void sphere(Shape& shape);
     void literal_sphere(Shape& shape);
     void plane(Shape& shape);
@@ -302,22 +326,22 @@ private:
     void object_reference(Shape& shape);
     void object_modifiers(Shape& shape, Word kind);
     bool flag_item(Surface& surface);
-    void transform_object(Shape& shape, const TransformPair& transform);
     void emit_sphere_run();
     uint32_t literal_texture(uint32_t surface);
 
     // eval_camera.cpp, eval_lights.cpp, eval_settings.cpp, eval_sky.cpp
-    Camera<double> camera();
+    Camera<Varying> camera();
+    void aim_camera(Camera<Varying>& camera, const Vec3<Varying>& aim, const CameraFrame& frame, const Token& at);
     void light_source(Shape& shape);
     bool light_kind_item(LightSource& source);
     bool area_light_item(LightSource& source);
     void looks_like(Shape& shape);
     void background();
-    SkySphere sky_sphere();
-    Fog<double> fog();
+    Moving<SkySphere> sky_sphere();
+    Moving<Fog<double>> fog();
     void global_settings();
     void assumed_gamma();
-    double encode_working(double linear);
+    Varying encode_working(const Varying& linear);
     bool before_3_7() const { return !has_version_ || version_ < 3.7 - epsilon; }
     void finish_settings();
 
@@ -329,6 +353,7 @@ private:
     ScriptSources& sources_;
     const EvaluationSettings& settings_;
     Diagnostics& diagnostics_;
+    MotionGraph graph_;
     SceneBuilder builder_;
     Scopes scopes_;
     RandomStreams random_;
@@ -361,6 +386,7 @@ private:
     bool has_assumed_gamma_ = false;
     bool has_camera_ = false;
     bool depends_on_time_ = false;
+    std::optional<MotionObstacle> obstacle_; ///< the first one
     std::unordered_set<Symbol> time_names_;
     std::unordered_set<Symbol> failed_names_; ///< a mistake stands in their declaration
 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores equal records once: an index by content over a vector of plain records.
+// Stores equal records once: an index by content over a vector of plain records, in which others may stand as well.
 #pragma once
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace proxima {
@@ -15,7 +16,7 @@ template <class Record> class InternTable {
 public:
     /// The index of a record equal to `record`, which is appended to `records` when there is none.
     uint32_t intern(std::vector<Record>& records, const Record& record) {
-        if (records.size() * 2 >= slots_.size())
+        if (count_ * 2 >= slots_.size())
             grow(records);
         const uint32_t mask = uint32_t(slots_.size() - 1);
         uint32_t slot = hash(record) & mask;
@@ -23,6 +24,7 @@ public:
             if (std::memcmp(&records[slots_[slot]], &record, sizeof(Record)) == 0)
                 return slots_[slot];
         slots_[slot] = uint32_t(records.size());
+        ++count_;
         records.push_back(record);
         return slots_[slot];
     }
@@ -43,9 +45,12 @@ private:
     }
 
     void grow(const std::vector<Record>& records) {
-        slots_.assign(slots_.empty() ? 64 : slots_.size() * 2, empty);
+        const std::vector<uint32_t> old =
+            std::exchange(slots_, std::vector<uint32_t>(slots_.empty() ? 64 : slots_.size() * 2, empty));
         const uint32_t mask = uint32_t(slots_.size() - 1);
-        for (uint32_t index = 0; index < records.size(); ++index) {
+        for (const uint32_t index : old) {
+            if (index == empty)
+                continue;
             uint32_t slot = hash(records[index]) & mask;
             while (slots_[slot] != empty)
                 slot = (slot + 1) & mask;
@@ -54,6 +59,7 @@ private:
     }
 
     std::vector<uint32_t> slots_; // a power of two
+    size_t count_ = 0;            // of records that are indexed
 };
 
 } // namespace proxima

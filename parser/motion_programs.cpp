@@ -2,6 +2,7 @@
 #include "parser/motion_programs.h"
 
 #include "parser/scene_program.h"
+#include "parser/surface_flags.h"
 
 #include <cstring>
 
@@ -37,73 +38,67 @@ std::byte* bytes_of(SceneTables& tables, const MotionField& field) {
     case MotionField::Table::camera:
         return reinterpret_cast<std::byte*>(&tables.camera) + field.offset;
     case MotionField::Table::scene:
+    case MotionField::Table::guard:
         break;
     }
     return reinterpret_cast<std::byte*>(&tables) + field.offset;
 }
 
-template <class T> std::vector<T> tail(const std::vector<T>& all, size_t first) {
-    return {all.begin() + std::ptrdiff_t(first), all.end()};
+/// Evaluates all instances of programs for single numbers; `store(target, value)` takes what is finite.
+template <class Store> bool evaluate_numbers(const MotionCode& code, const MotionTime& time, Store store) {
+    const MotionView view = code.view();
+    bool finite = true;
+    for (const MotionProgram& program : code.programs)
+        for (uint32_t instance = 0; instance < program.instances; ++instance) {
+            double result[1] = {};
+            finite &= evaluate(view, program, instance, time, result);
+            store(code.targets[program.first_instance + instance], result[0]);
+        }
+    return finite;
 }
 
 } // namespace
 
-MotionPrograms field_programs(const MotionPrograms& all) {
-    MotionPrograms result;
-    result.programs = tail(all.programs, all.sphere_programs);
-    if (result.programs.empty())
-        return result;
-    const MotionProgram first = result.programs.front();
-    for (MotionProgram& program : result.programs) {
-        program.first_instruction -= first.first_instruction;
-        program.first_output -= first.first_output;
-        program.first_shared -= first.first_shared;
-        program.first_instance -= first.first_instance;
-        program.first_constant -= first.first_constant;
-    }
-    result.instructions = tail(all.instructions, first.first_instruction);
-    result.outputs = tail(all.outputs, first.first_output);
-    result.shared = tail(all.shared, first.first_shared);
-    result.constants = tail(all.constants, first.first_constant);
-    result.targets = tail(all.targets, first.first_instance);
-    result.fields = all.fields;
-    return result;
+bool evaluate_uniforms(const MotionPrograms& motion, const MotionTime& time, std::span<double> shared) {
+    return evaluate_numbers(motion.uniforms, time, [&](uint32_t target, double value) { shared[target] = value; });
 }
 
 bool move_fields(SceneTables& tables, const MotionPrograms& motion, const MotionTime& time) {
-    const MotionView view = motion.view();
-    bool finite = true;
-    for (size_t p = motion.sphere_programs; p < motion.programs.size(); ++p) {
-        const MotionProgram& program = motion.programs[p];
-        for (uint32_t instance = 0; instance < program.instances; ++instance) {
-            double results[4] = {};
-            finite &= evaluate(view, program, instance, time, results);
-            const double result = results[0];
-            const MotionField& field = motion.fields[motion.targets[program.first_instance + instance]];
-            std::byte* const bytes = bytes_of(tables, field);
-            const float single = float(result);
-            if (field.type == MotionField::Type::float32)
-                std::memcpy(bytes, &single, sizeof single);
-            else
-                std::memcpy(bytes, &result, sizeof result);
-        }
-    }
+    const bool finite = evaluate_numbers(motion.numbers, time, [&](uint32_t target, double value) {
+        const MotionField& field = motion.fields[target];
+        if (field.table == MotionField::Table::guard)
+            return;
+        std::byte* const bytes = bytes_of(tables, field);
+        const float single = float(value);
+        if (field.type == MotionField::Type::float32)
+            std::memcpy(bytes, &single, sizeof single);
+        else
+            std::memcpy(bytes, &value, sizeof value);
+    });
+    if (!motion.fields.empty())
+        mark_surfaces(tables);
     return finite;
 }
 
+bool is_defined(const MotionPrograms& motion, const MotionTime& time) {
+    const auto drop = [](uint32_t, double) {};
+    return evaluate_numbers(motion.uniforms, time, drop) && evaluate_numbers(motion.numbers, time, drop);
+}
+
 bool move_spheres(std::span<Sphere<double>> spheres, const MotionPrograms& motion, const MotionTime& time) {
-    const MotionView view = motion.view();
-    bool finite = true;
-    for (size_t p = 0; p < motion.sphere_programs; ++p) {
-        const MotionProgram& program = motion.programs[p];
+    std::vector<double> shared = motion.spheres.shared;
+    bool good = evaluate_uniforms(motion, time, shared);
+    MotionView view = motion.spheres.view();
+    view.shared = shared;
+    for (const MotionProgram& program : view.programs)
         for (uint32_t instance = 0; instance < program.instances; ++instance) {
             double results[4] = {};
-            finite &= evaluate(view, program, instance, time, results);
-            spheres[motion.targets[program.first_instance + instance]] = {{results[0], results[1], results[2]},
-                                                                          results[3]};
+            good &= evaluate(view, program, instance, time, results);
+            good &= results[3] > 0;
+            spheres[view.targets[program.first_instance + instance]] = {{results[0], results[1], results[2]},
+                                                                        results[3]};
         }
-    }
-    return finite;
+    return good;
 }
 
 bool move(SceneProgram& scene, const MotionTime& time) {

@@ -5,6 +5,7 @@
 #include "kernels/motion.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace proxima {
@@ -28,6 +29,7 @@ struct MotionField {
         fogs,
         camera,
         scene, ///< SceneTables itself: background and the like
+        guard, ///< no number: something that must be finite for the programs to say what the script says
     };
     enum class Type : uint8_t { float32, float64 };
 
@@ -37,28 +39,50 @@ struct MotionField {
     uint32_t offset = 0;
 };
 
-/// The arrays behind a MotionView. Programs of one target stand together, those of spheres first, and each array holds
-/// what belongs to them in their order.
-struct MotionPrograms {
+/// Programs of one target, and the arrays behind their MotionView: each holds what belongs to them in their order.
+struct MotionCode {
     std::vector<MotionProgram> programs;
     std::vector<MotionInstruction> instructions;
     std::vector<uint8_t> outputs;
     std::vector<double> shared;
     std::vector<double> constants;
-    std::vector<uint32_t> targets; ///< of spheres: their ids
-    std::vector<MotionField> fields;
-    uint32_t sphere_programs = 0;
-    uint32_t moving_spheres = 0; ///< the instances of the first `sphere_programs` programs
+    std::vector<uint32_t> targets;
 
     bool empty() const { return programs.empty(); }
     MotionView view() const { return {programs, instructions, outputs, shared, constants, targets}; }
 };
 
-/// The programs of fields alone, without what belongs to spheres.
-MotionPrograms field_programs(const MotionPrograms& all);
+struct MotionPrograms {
+    MotionCode spheres; ///< targets: ids of spheres
+    /// What all instances of a program have in common and follows from the time is computed once a frame: targets are
+    /// indices into spheres.shared.
+    MotionCode uniforms;
+    MotionCode numbers; ///< targets: indices into `fields`
+    std::vector<MotionField> fields;
 
-/// Sets the numbers that are fields to what they are at `time`. False when one is not finite on the way.
+    bool empty() const { return spheres.empty() && numbers.empty(); }
+    size_t moving_spheres() const { return spheres.targets.size(); }
+};
+
+/// The place of the script that makes motion programs impossible.
+struct MotionObstacle {
+    std::string file;
+    uint32_t line = 0;
+    uint32_t column = 0;
+    std::string word;   ///< what looks at a number that follows from the time
+    std::string reason; ///< a sentence
+};
+
+/// Computes what the instances of the programs for spheres share at `time`, into a copy of spheres.shared. False when
+/// a number on the way is not finite.
+bool evaluate_uniforms(const MotionPrograms& motion, const MotionTime& time, std::span<double> shared);
+
+/// Sets the numbers that are fields to what they are at `time`. False as above.
 bool move_fields(SceneTables& tables, const MotionPrograms& motion, const MotionTime& time);
+
+/// Whether all numbers but those of single spheres are finite at `time`, and all guards hold: what can be known without
+/// the spheres.
+bool is_defined(const MotionPrograms& motion, const MotionTime& time);
 
 /// Moves the spheres that are targets. False as above, or when a radius is not above 0.
 bool move_spheres(std::span<Sphere<double>> spheres, const MotionPrograms& motion, const MotionTime& time);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parser/scene_builder.h"
 
-#include "parser/affine_math.h"
 #include "parser/area_weights.h"
+#include "parser/motion_compiler.h"
+#include "parser/shape_transform.h"
+#include "parser/surface_flags.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,52 +12,55 @@
 namespace proxima {
 namespace {
 
-bool nonzero(const glm::vec3& v) {
-    return v.x != 0 || v.y != 0 || v.z != 0;
+/// The transforms of a chain, the first one first.
+std::vector<const MotionChain*> links_of(const MotionChain* chain) {
+    std::vector<const MotionChain*> links;
+    for (; chain; chain = chain->before.get())
+        links.push_back(chain);
+    std::reverse(links.begin(), links.end());
+    return links;
 }
 
-bool is_transparent(const PigmentColor& color) {
-    return color.filter != 0 || color.transmit != 0;
-}
-
-/// Whether a map keeps spheres spheres; then `factor` is what it does to lengths.
-bool is_similarity(const Affine<double>& map, double& factor) {
-    const Mat3<double>& m = map.linear;
-    const double xx = glm::dot(m[0], m[0]), yy = glm::dot(m[1], m[1]), zz = glm::dot(m[2], m[2]);
-    const double slack = 1e-12 * xx;
-    factor = std::sqrt(xx);
-    return std::abs(xx - yy) <= slack && std::abs(xx - zz) <= slack && std::abs(glm::dot(m[0], m[1])) <= slack &&
-           std::abs(glm::dot(m[0], m[2])) <= slack && std::abs(glm::dot(m[1], m[2])) <= slack;
-}
-
-Affine<double> unit_sphere_map(const Sphere<double>& sphere) {
-    return {Mat3<double>(sphere.radius), sphere.center};
+Vec3<Varying> with_nodes(const Vec3<double>& v, NodeId nodes, const MotionGraph& graph) {
+    if (!nodes)
+        return Vec3<Varying>(v);
+    return {{v.x, graph.term(nodes, 0)}, {v.y, graph.term(nodes, 1)}, {v.z, graph.term(nodes, 2)}};
 }
 
 } // namespace
 
-SceneBuilder::SceneBuilder() {
+SceneBuilder::SceneBuilder(MotionGraph& graph) : graph_(graph) {
     add_interior(Interior{});
 } // interior 0 is everyone's default
 
 uint32_t SceneBuilder::add_pigment(const PigmentValue& value) {
-    Pigment pigment = value.pigment;
+    Moving<Pigment> moving = value.pigment;
+    Pigment& pigment = moving.record;
     pigment.transform = Pigment::no_transform;
     if (has_color_map(pigment.kind))
-        pigment.pattern = patterns_.intern(program_.patterns, value.pattern);
-    const Affine<double> identity;
-    if (pigment.kind != PigmentKind::solid &&
-        (value.pattern_from_world.linear != identity.linear || value.pattern_from_world.offset != identity.offset))
-        pigment.transform = transforms_.intern(program_.transforms, value.pattern_from_world);
-    return pigments_.intern(program_.pigments, pigment);
+        pigment.pattern = patterns_.add(program_.patterns, value.pattern);
+    if (pigment.kind != PigmentKind::solid) {
+        const Affine<double> map = value_of(value.pattern_from_world), identity;
+        if (moves(value.pattern_from_world)) {
+            Moving<Affine<double>> transform;
+            transform.set(transform.record, value.pattern_from_world);
+            pigment.transform = transforms_.add(program_.transforms, transform);
+        } else if (map.linear != identity.linear || map.offset != identity.offset) {
+            pigment.transform = transforms_.add(program_.transforms, map);
+        }
+    }
+    return pigments_.add(program_.pigments, moving);
 }
 
 PigmentValue SceneBuilder::pigment(uint32_t index) const {
-    PigmentValue value{program_.pigments[index], {}, {}};
-    if (has_color_map(value.pigment.kind))
-        value.pattern = program_.patterns[value.pigment.pattern];
-    if (value.pigment.transform != Pigment::no_transform)
-        value.pattern_from_world = program_.transforms[value.pigment.transform];
+    PigmentValue value;
+    value.pigment = pigments_.get(program_.pigments, index);
+    if (has_color_map(value.pigment->kind))
+        value.pattern = patterns_.get(program_.patterns, value.pigment->pattern);
+    if (const uint32_t place = value.pigment->transform; place != Pigment::no_transform) {
+        const Moving<Affine<double>> transform = transforms_.get(program_.transforms, place);
+        value.pattern_from_world = transform.get(transform.record);
+    }
     return value;
 }
 
@@ -99,20 +104,20 @@ bool SceneBuilder::patterned(uint32_t texture) const {
     return false;
 }
 
-uint32_t SceneBuilder::transform_pigment(uint32_t index, const Affine<double>& inverse) {
-    if (program_.pigments[index].kind == PigmentKind::solid)
+uint32_t SceneBuilder::transform_pigment(uint32_t index, const Transform& transform) {
+    if (program_.pigments[index].kind == PigmentKind::solid || transform.is_identity)
         return index;
     PigmentValue value = pigment(index);
-    value.pattern_from_world = compose(value.pattern_from_world, inverse);
+    value.pattern_from_world = compose(value.pattern_from_world, transform.with_nodes().inverse);
     return add_pigment(value);
 }
 
-uint32_t SceneBuilder::transform_texture(uint32_t index, const Affine<double>& inverse) {
+uint32_t SceneBuilder::transform_texture(uint32_t index, const Transform& transform) {
     if (!patterned(index))
         return index;
     std::vector<Layer> layers = texture(index);
     for (Layer& layer : layers)
-        layer.pigment = transform_pigment(layer.pigment, inverse);
+        layer.pigment = transform_pigment(layer.pigment, transform);
     return add_texture(layers);
 }
 
@@ -124,14 +129,7 @@ const SceneBuilder::LayerRange& SceneBuilder::layer_range(uint32_t index) {
     const std::vector<Layer> layers = texture(index);
     range.first = uint32_t(program_.layers.size());
     range.count = uint32_t(layers.size());
-    for (const Layer& layer : layers) {
-        const Pigment& pigment = program_.pigments[layer.pigment];
-        const Finish& finish = program_.finishes[layer.finish];
-        if (lets_light_through(pigment))
-            range.flags |= material_transparent;
-        if (nonzero(finish.reflection_min) || nonzero(finish.reflection_max))
-            range.flags |= material_reflective;
-    }
+    range.flags = surface_flags(program_, layers);
     program_.layers.insert(program_.layers.end(), layers.begin(), layers.end());
     return range;
 }
@@ -146,38 +144,57 @@ uint32_t SceneBuilder::material(const Surface& surface, uint32_t default_texture
     return materials_.intern(program_.materials, material);
 }
 
-bool SceneBuilder::lets_light_through(const Pigment& pigment) const {
-    if (pigment.kind == PigmentKind::solid)
-        return is_transparent(pigment.color);
-    if (pigment.kind == PigmentKind::checker)
-        return is_transparent(pigment.color) || is_transparent(pigment.second_color);
-    return std::ranges::any_of(stops_of(program_.patterns[pigment.pattern]), [&](const ColorStop& stop) {
-        return stop.pigment == ColorStop::no_pigment ? is_transparent(stop.color)
-                                                     : lets_light_through(program_.pigments[stop.pigment]);
-    });
-}
-
-ColorMapRef SceneBuilder::add_color_map(std::span<const ColorStop> stops) {
+ColorMapRef SceneBuilder::add_color_map(std::span<const Moving<ColorStop>> stops) {
     const ColorMapRef map{uint32_t(program_.color_stops.size()), uint32_t(stops.size())};
-    program_.color_stops.insert(program_.color_stops.end(), stops.begin(), stops.end());
+    for (const Moving<ColorStop>& stop : stops) {
+        add_fields(MotionField::Table::color_stops, program_.color_stops.size(), stop.nodes);
+        program_.color_stops.push_back(stop.record);
+    }
     return map;
 }
 
 void SceneBuilder::add_light(const LightSource& source) {
-    Light<double> light = source.light;
-    const Vec3<double> way = light.point_at - light.position;
-    if (const double length = glm::length(way); length > 0)
-        light.direction = way / length;
+    Moving<Light<double>> light = source.light;
+    const Vec3<Varying> way = light.get(light->point_at) - light.get(light->position);
+    const Varying length = glm::length(way);
+    if (decide(apply(MotionOp::greater, length, 0)))
+        light.set(light.record.direction, way / length);
     if (source.area) {
-        AreaLight<double> area = *source.area;
+        AreaLight<double> area = source.area->record;
         area.first_sample = uint32_t(program_.area_samples.size());
         if (area.adaptive == AreaLight<double>::every_place)
             append_area_samples(program_.area_samples, area.columns, area.rows);
         area.sample_count = uint32_t(program_.area_samples.size()) - area.first_sample;
-        light.area = uint32_t(program_.area_lights.size());
+        light.record.area = uint32_t(program_.area_lights.size());
+        add_fields(MotionField::Table::area_lights, program_.area_lights.size(), source.area->nodes);
         program_.area_lights.push_back(area);
     }
-    program_.lights.push_back(light);
+    add_fields(MotionField::Table::lights, program_.lights.size(), light.nodes);
+    program_.lights.push_back(light.record);
+}
+
+void SceneBuilder::set_camera(const Camera<Varying>& camera) {
+    Moving<Camera<double>> moving;
+    moving.record.kind = camera.kind;
+    moving.set(moving.record.location, camera.location);
+    moving.set(moving.record.direction, camera.direction);
+    moving.set(moving.record.right, camera.right);
+    moving.set(moving.record.up, camera.up);
+    program_.camera = moving.record;
+    camera_nodes_ = moving.nodes;
+}
+
+void SceneBuilder::set_sky(const Moving<SkySphere>& sky) {
+    program_.sky = sky.record;
+    for (int i = 0; i < 3; ++i) {
+        const NodeId node = sky.nodes.at(offset_of(&sky.record, &sky.record.emission[i]));
+        set(program_.sky.emission[i], Varying(double(sky->emission[i]), node));
+    }
+}
+
+void SceneBuilder::add_fog(const Moving<Fog<double>>& fog) {
+    add_fields(MotionField::Table::fogs, program_.fogs.size(), fog.nodes);
+    program_.fogs.push_back(fog.record);
 }
 
 void SceneBuilder::reserve_spheres(size_t count) {
@@ -185,68 +202,158 @@ void SceneBuilder::reserve_spheres(size_t count) {
     program_.sphere_materials.reserve(count);
 }
 
-void SceneBuilder::add_sphere(const Sphere<double>& sphere, const Surface& surface, uint32_t default_texture) {
+void SceneBuilder::add_sphere(const Sphere<double>& sphere, const PartNodes& nodes, const Surface& surface,
+                              uint32_t default_texture) {
     const uint32_t texture = surface.texture == Surface::none ? default_texture : surface.texture;
     if (texture != last_texture_) {
         last_texture_ = texture;
         last_material_ = material({.texture = texture}, default_texture);
     }
+    if ((nodes.vector | nodes.number) != 0)
+        return add_sphere_program({with_nodes(sphere.center, nodes.vector, graph_), {sphere.radius, nodes.number}},
+                                  last_material_);
     program_.spheres.push_back(sphere);
     program_.sphere_materials.push_back(last_material_);
 }
 
+void SceneBuilder::add_sphere_program(const Sphere<Varying>& sphere, uint32_t material) {
+    const Varying results[] = {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius};
+    if (graph_.records() && !motion_failed_ && (moves(sphere.center) || sphere.radius.node))
+        motion_failed_ = !shapes_.add(graph_, MotionTarget::sphere, uint32_t(program_.spheres.size()), results);
+    program_.spheres.push_back({value_of(sphere.center), sphere.radius.value});
+    program_.sphere_materials.push_back(material);
+}
+
+/// A sphere at the end of its transforms: a sphere, or an ellipsoid from the first one on that squeezes it.
+void SceneBuilder::add_moving_sphere(const Sphere<Varying>& sphere, const MotionChain* chain, uint32_t material) {
+    Sphere<Varying> moved = sphere;
+    bool round = true;
+    Affine<Varying> map;
+    for (const MotionChain* link : links_of(chain)) {
+        const Affine<Varying> step = link->transform.with_nodes().map;
+        if (round && link->keeps_spheres) {
+            moved = {step.point(moved.center), moved.radius * glm::length(step.linear[0])};
+            continue;
+        }
+        map = compose(step, round ? unit_sphere_map(moved) : map);
+        round = false;
+    }
+    if (round)
+        add_sphere_program(moved, material);
+    else
+        add_ellipsoid(map, material);
+}
+
+void SceneBuilder::add_ellipsoid(const Affine<Varying>& map, uint32_t material) {
+    const Mat3<Varying> inverse = glm::inverse(map.linear);
+    Moving<Ellipsoid<double>> ellipsoid;
+    ellipsoid.set(ellipsoid.record.object_from_world, Affine<Varying>{inverse, -(inverse * map.offset)});
+    ellipsoid.set(ellipsoid.record.world_from_object, map);
+    ellipsoid.record.material = material;
+    add_fields(MotionField::Table::ellipsoids, program_.ellipsoids.size(), ellipsoid.nodes);
+    program_.ellipsoids.push_back(ellipsoid.record);
+}
+
 void SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
-    for (const auto& [sphere, surface] : shape.spheres) {
-        program_.spheres.push_back(sphere);
-        program_.sphere_materials.push_back(material(surface, default_texture));
+    const auto chain_of = [&](const auto& part) {
+        return part.chain == part.still ? nullptr : shape.chains[part.chain].get();
+    };
+    PartNodesReader sphere_nodes(shape.moving_spheres), plane_nodes(shape.moving_planes);
+    for (size_t i = 0; i < shape.spheres.size(); ++i) {
+        const auto& part = shape.spheres[i];
+        const uint32_t material = this->material(part.surface, default_texture);
+        const PartNodes nodes = sphere_nodes.of(i);
+        const MotionChain* const chain = chain_of(part);
+        if (!chain && (nodes.vector | nodes.number) == 0) {
+            program_.spheres.push_back(part.geometry);
+            program_.sphere_materials.push_back(material);
+            continue;
+        }
+        const MotionGraph::Scratch scratch(graph_);
+        add_moving_sphere(
+            {with_nodes(part.geometry.center, nodes.vector, graph_), {part.geometry.radius, nodes.number}}, chain,
+            material);
     }
-    for (const auto& [map, surface] : shape.ellipsoids) {
-        const Mat3<double> inverse = glm::inverse(map.linear);
-        program_.ellipsoids.push_back({{inverse, -(inverse * map.offset)}, map, material(surface, default_texture)});
+    for (const auto& part : shape.ellipsoids) {
+        const uint32_t material = this->material(part.surface, default_texture);
+        const MotionGraph::Scratch scratch(graph_);
+        Affine<Varying> map = varying(part.geometry);
+        for (const MotionChain* link : links_of(chain_of(part)))
+            map = compose(link->transform.with_nodes().map, map);
+        add_ellipsoid(map, material);
     }
-    for (const auto& [plane, surface] : shape.planes)
-        program_.planes.push_back({plane.normal, plane.distance, material(surface, default_texture)});
+    for (size_t i = 0; i < shape.planes.size(); ++i) {
+        const auto& part = shape.planes[i];
+        const MotionGraph::Scratch scratch(graph_);
+        const PartNodes nodes = plane_nodes.of(i);
+        Plane<Varying> plane{with_nodes(part.geometry.normal, nodes.vector, graph_),
+                             {part.geometry.distance, nodes.number}};
+        for (const MotionChain* link : links_of(chain_of(part)))
+            plane = moved(plane, link->transform.with_nodes().inverse);
+        Moving<Plane<double>> record;
+        record.set(record.record.normal, plane.normal);
+        record.set(record.record.distance, plane.distance);
+        record.record.material = material(part.surface, default_texture);
+        add_fields(MotionField::Table::planes, program_.planes.size(), record.nodes);
+        program_.planes.push_back(record.record);
+    }
     for (const LightSource& light : shape.lights)
         add_light(light);
 }
 
-void transform_shape(Shape& shape, const Affine<double>& map, const Affine<double>& inverse, SceneBuilder& builder) {
-    const auto move_surface = [&](Surface& surface) {
-        if (surface.texture != Surface::none)
-            surface.texture = builder.transform_texture(surface.texture, inverse);
+void SceneBuilder::add_field(const MotionField& field, NodeId node) {
+    if (!graph_.records() || motion_failed_ || !node)
+        return;
+    const Varying result[] = {{0, node}};
+    motion_failed_ =
+        fields_.size() >= most_fields || !shapes_.add(graph_, MotionTarget::number, uint32_t(fields_.size()), result);
+    fields_.push_back(field);
+}
+
+void SceneBuilder::add_fields(MotionField::Table table, size_t index, const FieldNodes& nodes) {
+    for (const FieldNode& node : nodes)
+        add_field({table, node.type, uint32_t(index), node.offset}, node.node);
+}
+
+/// A guard is finite as long as its condition holds.
+void SceneBuilder::add_guards() {
+    for (const NodeId guard : graph_.guards()) {
+        const MotionGraph::Scratch scratch(graph_);
+        add_field({MotionField::Table::guard, MotionField::Type::float64, 0, 0},
+                  graph_.operation(MotionOp::divide, 1, {0, guard}));
+    }
+}
+
+void SceneBuilder::mark_nodes() const {
+    pigments_.mark(graph_);
+    patterns_.mark(graph_);
+    finishes_.mark(graph_);
+    interiors_.mark(graph_);
+    transforms_.mark(graph_);
+    scene_nodes_.mark(graph_);
+    camera_nodes_.mark(graph_);
+}
+
+SceneProgram SceneBuilder::finish_program() {
+    using Table = MotionField::Table;
+    const auto add_table = [&](Table table, const auto& records) {
+        for (const auto& [index, nodes] : records.moving())
+            add_fields(table, index, nodes);
     };
-    for (auto& [ellipsoid, surface] : shape.ellipsoids) {
-        ellipsoid = compose(map, ellipsoid);
-        move_surface(surface);
-    }
-    for (auto& [plane, surface] : shape.planes) {
-        // dot(n, q) = d with q = inverse(p): the normal goes back through the transposed inverse.
-        const Vec3<double> normal = inverse.normal_to_source(plane.normal);
-        const double length = glm::length(normal);
-        plane.distance = (plane.distance - glm::dot(plane.normal, inverse.offset)) / length;
-        plane.normal = normal / length;
-        move_surface(surface);
-    }
-    move_surface(shape.own);
-    for (LightSource& source : shape.lights) {
-        source.light.position = map.point(source.light.position);
-        source.light.point_at = map.point(source.light.point_at);
-        if (source.area) {
-            source.area->axis1 = map.direction(source.area->axis1);
-            source.area->axis2 = map.direction(source.area->axis2);
-        }
-    }
-    double factor = 1;
-    const bool similarity = is_similarity(map, factor);
-    for (auto& [sphere, surface] : shape.spheres) {
-        move_surface(surface);
-        if (similarity)
-            sphere = {map.point(sphere.center), sphere.radius * factor};
-        else
-            shape.ellipsoids.push_back({compose(map, unit_sphere_map(sphere)), surface});
-    }
-    if (!similarity)
-        shape.spheres.clear();
+    add_table(Table::pigments, pigments_);
+    add_table(Table::patterns, patterns_);
+    add_table(Table::finishes, finishes_);
+    add_table(Table::interiors, interiors_);
+    add_table(Table::transforms, transforms_);
+    add_fields(Table::camera, 0, camera_nodes_);
+    add_fields(Table::scene, 0, scene_nodes_);
+    add_guards();
+    for (const MotionShape& shape : shapes_.all())
+        motion_failed_ = motion_failed_ || !compile(shape, program_.motion);
+    program_.motion.fields = std::move(fields_);
+    if (motion_failed_ || !graph_.records())
+        program_.motion = {};
+    return std::move(program_);
 }
 
 } // namespace proxima

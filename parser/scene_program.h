@@ -10,6 +10,7 @@
 #include "parser/motion_programs.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace proxima {
@@ -68,8 +69,11 @@ struct SceneProgram : SceneTables {
     /// How the numbers above, which are those of one frame, follow from the time of others.
     MotionPrograms motion;
 
-    /// The script read clock, frame_number or the like: another frame may be another scene.
+    /// The script read clock, frame_number or clock_delta: another frame may be another scene.
     bool depends_on_time = false;
+
+    /// What kept a script that depends on the time from becoming motion programs.
+    std::optional<MotionObstacle> obstacle;
 };
 
 } // namespace proxima

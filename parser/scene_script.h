@@ -26,6 +26,11 @@ struct SceneClock {
     double final_clock = 0;
 };
 
+/// What of it motion programs work with.
+inline MotionTime motion_time(const SceneClock& time) {
+    return {time.clock, time.frame_number, time.clock_delta};
+}
+
 /// What one evaluation may cost. A scene that needs more is refused.
 struct EvaluationBudget {
     uint64_t steps = 500'000'000; ///< tokens evaluated; past it an endless loop is assumed
@@ -40,6 +45,8 @@ struct EvaluationSettings {
     /// --declare NAME=VALUE: a number, or a string in double quotes.
     std::vector<std::pair<std::string, std::string>> declares;
     EvaluationBudget budget;
+    /// Makes motion programs of what follows from the time, if that is possible.
+    bool record_motion = false;
     /// The script is not evaluated again: literal spheres are moved out of the syntax instead of copied.
     bool last_evaluation = false;
     /// Takes the texts of #debug, #render and #statistics; without it they are dropped.

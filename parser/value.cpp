@@ -3,6 +3,32 @@
 
 namespace proxima {
 
+Terms::Terms(std::initializer_list<Varying> terms, int count) : count(count) {
+    NodeId ids[5] = {};
+    int i = 0;
+    for (const Varying& term : terms) {
+        value[i] = term.value;
+        ids[i++] = term.node;
+    }
+    const bool any = (ids[0] | ids[1] | ids[2] | ids[3] | ids[4]) != 0;
+    if (MotionGraph* const graph = MotionGraph::current(); any && graph)
+        nodes = count == 1 ? ids[0] : graph->terms(ids);
+}
+
+NodeId Terms::node_of_term(int index) const {
+    const MotionGraph* const graph = MotionGraph::current();
+    return graph ? graph->term(nodes, index) : 0;
+}
+
+/// The terms behind the last one are 0.
+void Terms::pad_nodes() {
+    NodeId ids[5] = {};
+    for (int i = 0; i < count; ++i)
+        ids[i] = node_of_term(i);
+    if (MotionGraph* const graph = MotionGraph::current())
+        nodes = graph->terms(ids);
+}
+
 void Surface::inherit(const Surface& outer) {
     if (texture == none)
         texture = outer.texture;
@@ -23,10 +49,30 @@ void Shape::dress_parts() {
 
 void Shape::append(const Shape& other) {
     const auto append = [](auto& parts, const auto& more) { parts.insert(parts.end(), more.begin(), more.end()); };
+    const auto append_nodes = [](auto& nodes, const auto& more, size_t first) {
+        for (PartNodes part : more) {
+            part.part += uint32_t(first);
+            nodes.push_back(part);
+        }
+    };
+    append_nodes(moving_spheres, other.moving_spheres, spheres.size());
+    append_nodes(moving_planes, other.moving_planes, planes.size());
+    const size_t sphere_count = spheres.size(), ellipsoid_count = ellipsoids.size(), plane_count = planes.size();
     append(spheres, other.spheres);
     append(ellipsoids, other.ellipsoids);
     append(planes, other.planes);
     append(lights, other.lights);
+    if (other.chains.empty())
+        return;
+    const auto shift = [&](auto& parts, size_t first) {
+        for (size_t i = first; i < parts.size(); ++i)
+            if (parts[i].chain != parts[i].still)
+                parts[i].chain += uint32_t(chains.size());
+    };
+    shift(spheres, sphere_count);
+    shift(ellipsoids, ellipsoid_count);
+    shift(planes, plane_count);
+    append(chains, other.chains);
 }
 
 ValueKind kind_of(const Value& value) {

@@ -6,8 +6,9 @@
 #include "kernels/light.h"
 #include "kernels/material.h"
 #include "kernels/vector_math.h"
-#include "parser/affine_math.h"
+#include "parser/moving_record.h"
 #include "parser/scene_program.h"
+#include "parser/transform.h"
 
 #include <cmath>
 #include <cstdint>
@@ -24,10 +25,15 @@ namespace proxima {
 struct Terms {
     double value[5] = {};
     int count = 1;
+    NodeId nodes = 0; ///< a node of terms; or one that all terms have; 0 when no term follows from the time
 
     Terms() = default;
     Terms(double number) : value{number} {}
+    Terms(const Varying& number) : value{number.value}, nodes(number.node) {}
     Terms(const Vec3<double>& v) : value{v.x, v.y, v.z}, count(3) {}
+    Terms(const Vec3<Varying>& v) : Terms({v.x, v.y, v.z}, 3) {}
+    /// At most five.
+    Terms(std::initializer_list<Varying> terms, int count);
 
     /// The terms as a vector; a number stands for all of them.
     Vec3<double> vector() const {
@@ -38,7 +44,14 @@ struct Terms {
         if (count == 1)
             for (int i = 1; i < new_count; ++i)
                 value[i] = value[0];
+        else if (nodes != 0 && new_count > count)
+            pad_nodes();
         count = new_count;
+    }
+    Varying term(int index) const { return {value[index], nodes ? node_of_term(index) : 0}; }
+    /// The terms as a vector, as of vector().
+    Vec3<Varying> varying_vector() const {
+        return count == 1 ? Vec3<Varying>(term(0)) : Vec3<Varying>(term(0), term(1), term(2));
     }
     bool finite() const {
         for (int i = 0; i < count; ++i)
@@ -46,12 +59,18 @@ struct Terms {
                 return false;
         return true;
     }
-};
 
-/// The terms of a colour.
-inline PigmentColor surface_color(const Terms& terms) {
-    const double* v = terms.value;
-    return {{float(v[0]), float(v[1]), float(v[2])}, float(v[3]), float(v[4])};
+private:
+    NodeId node_of_term(int index) const;
+    void pad_nodes();
+};
+static_assert(sizeof(Terms) == 6 * sizeof(double));
+
+/// Puts the terms of a colour into a record.
+template <class Record> void set_color(Moving<Record>& record, PigmentColor& place, const Terms& terms) {
+    record.set(place.rgb, Vec3<Varying>(terms.term(0), terms.term(1), terms.term(2)));
+    record.set(place.filter, terms.term(3));
+    record.set(place.transmit, terms.term(4));
 }
 
 // Indices into SceneProgram, or into a table of the SceneBuilder (textures).
@@ -97,14 +116,33 @@ struct MaterialValue {
     uint32_t interior = Surface::none;
 };
 
+/// Transforms, one behind the other, that are applied to a part of an object when it goes into the scene: the nodes of
+/// a million moved spheres exist one by one only.
+struct MotionChain {
+    std::shared_ptr<const MotionChain> before;
+    Transform transform;
+    bool keeps_spheres = true; ///< the transform, at the times that the guards allow
+};
+using MotionChainRef = std::shared_ptr<const MotionChain>;
+
 template <class Geometry> struct Dressed {
+    static constexpr uint32_t still = 0xffffffffu;
+
     Geometry geometry;
     Surface surface;
+    uint32_t chain = still; ///< of Shape::chains
 };
 
 struct LightSource {
-    Light<double> light; ///< its `direction` is not set yet
-    std::optional<AreaLight<double>> area;
+    Moving<Light<double>> light; ///< its `direction` is not set yet
+    std::optional<Moving<AreaLight<double>>> area;
+};
+
+/// The nodes of a sphere's or plane's own numbers.
+struct PartNodes {
+    uint32_t part = 0; ///< index of the sphere or plane
+    NodeId vector = 0; ///< of terms: centre or normal
+    NodeId number = 0; ///< radius or distance
 };
 
 /// An object: a sphere, a plane, a light, or a union of any number of them, flat.
@@ -113,6 +151,8 @@ struct Shape {
     std::vector<Dressed<Affine<double>>> ellipsoids; ///< the map of the unit sphere into the world
     std::vector<Dressed<Plane<double>>> planes;
     std::vector<LightSource> lights;
+    std::vector<PartNodes> moving_spheres, moving_planes; ///< by rising part
+    std::vector<MotionChainRef> chains;
     Surface own; ///< the object's own: for those of its parts that have none
 
     /// What a copy takes.
@@ -138,10 +178,10 @@ class Spline;
 struct UserFunction;
 
 using ShapeRef = std::shared_ptr<const Shape>;
-using SkyRef = std::shared_ptr<const SkySphere>;
-using FogRef = std::shared_ptr<const Fog<double>>;
-using CameraRef = std::shared_ptr<const Camera<double>>;
-using TransformRef = std::shared_ptr<const TransformPair>;
+using SkyRef = std::shared_ptr<const Moving<SkySphere>>;
+using FogRef = std::shared_ptr<const Moving<Fog<double>>>;
+using CameraRef = std::shared_ptr<const Camera<Varying>>;
+using TransformRef = std::shared_ptr<const Transform>;
 using MacroRef = std::shared_ptr<const Macro>;
 using ArrayRef = std::shared_ptr<Array>;       ///< see array.h
 using DataFileRef = std::shared_ptr<DataFile>; ///< an open file

@@ -21,37 +21,48 @@ public:
     /// Takes over the programs of spheres. `order[place]` is the id of the sphere that stands at a place of the
     /// device's array; empty when places are ids.
     void upload(const MotionPrograms& motion, std::span<const uint32_t> order) {
-        moving_ = motion.moving_spheres;
+        moving_ = uint32_t(motion.moving_spheres());
+        uniforms_.uniforms = motion.uniforms;
+        uniforms_.spheres.shared = motion.spheres.shared;
         if (moving_ == 0)
             return;
-        const std::vector<uint32_t> instances = in_order(motion, order);
+        const MotionCode& code = motion.spheres;
+        const std::vector<uint32_t> instances = in_order(code, order);
         std::vector<uint32_t> place_of(order.size());
         for (uint32_t place = 0; place < order.size(); ++place)
             place_of[order[place]] = place;
         targets_.upload(moving_, [&](size_t i) {
-            const uint32_t id = motion.targets[instances[i]];
+            const uint32_t id = code.targets[instances[i]];
             return order.empty() ? id : place_of[id];
         });
-        upload_constants(motion, instances);
-        programs_.upload(motion.sphere_programs, [&](size_t i) { return motion.programs[i]; });
-        instructions_.upload(motion.instructions.size(), [&](size_t i) { return motion.instructions[i]; });
-        outputs_.upload(motion.outputs.size(), [&](size_t i) { return motion.outputs[i]; });
-        shared_.upload(motion.shared.size(), [&](size_t i) { return motion.shared[i]; });
+        upload_constants(code, instances);
+        programs_.upload(code.programs.size(), [&](size_t i) { return code.programs[i]; });
+        instructions_.upload(code.instructions.size(), [&](size_t i) { return code.instructions[i]; });
+        outputs_.upload(code.outputs.size(), [&](size_t i) { return code.outputs[i]; });
+        upload_shared(code.shared);
         failures_.resize(1);
         failures_.fill_bytes(0);
     }
 
     bool empty() const { return moving_ == 0; }
 
-    /// Starts moving the spheres. `exact` is empty or the same spheres in double.
+    /// Starts moving the spheres. `exact` is empty or the same spheres in double. False when a number that spheres
+    /// share is not finite.
     template <class Real>
-    void move(const MotionTime& time, std::span<Sphere<Real>> spheres, std::span<Sphere<double>> exact) {
+    [[nodiscard]] bool move(const MotionTime& time, std::span<Sphere<Real>> spheres, std::span<Sphere<double>> exact) {
+        if (!uniforms_.uniforms.empty()) {
+            std::vector<double> shared = uniforms_.spheres.shared;
+            if (!evaluate_uniforms(uniforms_, time, shared))
+                return false;
+            upload_shared(shared);
+        }
         backend_.for_each(moving_, MoveSpheres<Real>{{programs_.view(), instructions_.view(), outputs_.view(),
                                                       shared_.view(), constants_.view(), targets_.view()},
                                                      time,
                                                      spheres,
                                                      exact,
                                                      failures_.view()});
+        return true;
     }
 
     /// Whether a sphere met a number that is not finite since the last call. Waits for the device.
@@ -66,20 +77,21 @@ private:
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
     /// The instances of each program in the order of their spheres' places, so that neighbours write to neighbours.
-    static std::vector<uint32_t> in_order(const MotionPrograms& motion, std::span<const uint32_t> order) {
-        std::vector<uint32_t> instances(motion.moving_spheres);
+    static std::vector<uint32_t> in_order(const MotionCode& motion, std::span<const uint32_t> order) {
+        const uint32_t moving = uint32_t(motion.targets.size());
+        std::vector<uint32_t> instances(moving);
         std::iota(instances.begin(), instances.end(), 0u);
         if (order.empty())
             return instances;
         constexpr uint32_t none = 0xffffffffu;
         std::vector<uint32_t> instance_of(order.size(), none);
-        for (uint32_t i = 0; i < motion.moving_spheres; ++i)
+        for (uint32_t i = 0; i < moving; ++i)
             instance_of[motion.targets[i]] = i;
-        std::vector<uint32_t> next(motion.sphere_programs);
+        std::vector<uint32_t> next(motion.programs.size());
         const auto first = [&](uint32_t program) { return motion.programs[program].first_instance; };
-        for (uint32_t program = 0; program < motion.sphere_programs; ++program)
+        for (uint32_t program = 0; program < next.size(); ++program)
             next[program] = first(program);
-        const auto programs = std::span(motion.programs).first(motion.sphere_programs);
+        const std::span<const MotionProgram> programs = motion.programs;
         for (const uint32_t id : order) {
             const uint32_t instance = instance_of[id];
             if (instance == none)
@@ -90,24 +102,25 @@ private:
         return instances;
     }
 
-    void upload_constants(const MotionPrograms& motion, std::span<const uint32_t> instances) {
-        uint64_t count = 0;
-        for (uint32_t p = 0; p < motion.sphere_programs; ++p)
-            count += uint64_t(motion.programs[p].own_constants) * motion.programs[p].instances;
+    void upload_constants(const MotionCode& motion, std::span<const uint32_t> instances) {
+        const uint64_t count = motion.constants.size();
         std::vector<double> constants(count);
-        for (uint32_t p = 0; p < motion.sphere_programs; ++p) {
-            const MotionProgram& program = motion.programs[p];
+        for (const MotionProgram& program : motion.programs)
             for (uint32_t k = 0; k < program.own_constants; ++k) {
                 const uint64_t row = program.first_constant + uint64_t(k) * program.instances;
                 for (uint32_t i = 0; i < program.instances; ++i)
                     constants[row + i] =
                         motion.constants[row + instances[program.first_instance + i] - program.first_instance];
             }
-        }
         constants_.upload(count, [&](size_t i) { return constants[i]; });
     }
 
+    void upload_shared(const std::vector<double>& shared) {
+        shared_.upload(shared.size(), [&](size_t i) { return shared[i]; });
+    }
+
     Backend& backend_;
+    MotionPrograms uniforms_; ///< and the shared constants that they are put into
     Buffer<MotionProgram> programs_;
     Buffer<MotionInstruction> instructions_;
     Buffer<uint8_t> outputs_;

@@ -79,26 +79,28 @@ public:
         tables_move_ = !scene.motion.fields.empty();
         if (tables_move_) {
             moving_tables_ = scene;
-            moving_fields_ = field_programs(scene.motion);
+            moving_fields_.numbers = scene.motion.numbers;
+            moving_fields_.fields = scene.motion.fields;
         }
         upload_spheres(scene);
         upload_tables(scene);
         time_.reset();
     }
 
-    /// Starts moving everything to where it is at `time`. False when a number that is not in a sphere has no finite
+    /// Starts moving everything to where it is at `time`. False when a number that is not of one sphere has no finite
     /// value then.
     bool move(const MotionTime& time) {
         if (time_ == time)
             return true;
-        time_ = time;
-        if (!motion_.empty())
-            motion_.template move<Real>(time, shapes_.spheres.view(), exact_.spheres.view());
-        if (!tables_move_)
-            return true;
-        if (!move_fields(moving_tables_, moving_fields_, time))
+        time_.reset();
+        if (!motion_.empty() && !motion_.template move<Real>(time, shapes_.spheres.view(), exact_.spheres.view()))
             return false;
-        upload_tables(moving_tables_);
+        if (tables_move_) {
+            if (!move_fields(moving_tables_, moving_fields_, time))
+                return false;
+            upload_tables(moving_tables_);
+        }
+        time_ = time;
         return true;
     }
     bool moves() const { return !motion_.empty() || tables_move_; }

@@ -15,8 +15,8 @@ constexpr uint8_t shared(uint32_t k) {
     return uint8_t(MotionOperand::first_shared + k);
 }
 
-/// Adds a program to `motion`; `constants` are those of each instance in turn.
-inline void add_program(MotionPrograms& motion, MotionTarget target, const std::vector<MotionInstruction>& instructions,
+/// Adds a program; `constants` are those of each instance in turn.
+inline void add_program(MotionCode& motion, MotionTarget target, const std::vector<MotionInstruction>& instructions,
                         const std::vector<uint8_t>& outputs, const std::vector<double>& shared_constants,
                         const std::vector<uint32_t>& targets, const std::vector<std::vector<double>>& constants) {
     MotionProgram program{.target = target};
@@ -36,10 +36,6 @@ inline void add_program(MotionPrograms& motion, MotionTarget target, const std::
         for (const std::vector<double>& instance : constants)
             motion.constants.push_back(instance[k]);
     motion.programs.push_back(program);
-    if (target == MotionTarget::sphere) {
-        ++motion.sphere_programs;
-        motion.moving_spheres += program.instances;
-    }
 }
 
 /// A random scene in which every third sphere rises with the clock and every fifth of the others swells with the root
@@ -58,16 +54,16 @@ inline SceneProgram moving_scene(uint32_t seed, const RandomSceneSpec& spec) {
             swellers.push_back({s.center.x, s.center.y, s.center.z, s.radius});
         }
     }
-    add_program(scene.motion, MotionTarget::sphere,
+    add_program(scene.motion.spheres, MotionTarget::sphere,
                 {{MotionOp::multiply, 0, MotionOperand::clock, shared(0)}, {MotionOp::add, 1, own(1), 0}},
                 {own(0), 1, own(2), own(3)}, {0.25}, rising, risers);
-    add_program(scene.motion, MotionTarget::sphere,
+    add_program(scene.motion.spheres, MotionTarget::sphere,
                 {{MotionOp::sqrt, 0, MotionOperand::clock, 0}, {MotionOp::multiply, 0, 0, own(3)}},
                 {own(0), own(1), own(2), 0}, {}, swelling, swellers);
     scene.motion.fields.push_back({MotionField::Table::lights, MotionField::Type::float64, 0,
                                    uint32_t(offsetof(Light<double>, position) + sizeof(double))});
-    add_program(scene.motion, MotionTarget::field, {{MotionOp::add, 0, MotionOperand::frame_number, shared(0)}}, {0},
-                {3}, {0}, {{}});
+    add_program(scene.motion.numbers, MotionTarget::number,
+                {{MotionOp::add, 0, MotionOperand::frame_number, shared(0)}}, {0}, {3}, {0}, {{}});
     return scene;
 }
 
@@ -114,7 +110,7 @@ TEST_CASE_TEMPLATE("motion: several moments are averaged in linear light", Backe
     FrameSettings settings;
     settings.width = 40;
     settings.height = 30;
-    const MotionTime times[] = {{0, 1, 0}, {0.25, 2, 0}, {0.75, 4, 0}};
+    const MotionTime times[] = {{0.0625, 1, 0}, {0.25, 2, 0}, {0.75, 4, 0}};
     renderer->set_scene(scene, settings.precision);
     Image image;
     renderer->render(settings, times, image);

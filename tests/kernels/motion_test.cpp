@@ -15,14 +15,14 @@ namespace {
 
 /// The result of a program of one instance.
 struct Machine {
-    MotionPrograms motion;
+    MotionCode motion;
     Machine(std::vector<MotionInstruction> instructions, uint8_t output) {
         motion.instructions = std::move(instructions);
         motion.outputs = {output};
         motion.shared = {10, 20};
         motion.constants = {1, 2, 3, 4, 5, 6}; // three of each of two instances
         motion.targets = {0, 1};
-        motion.programs = {{.target = MotionTarget::field,
+        motion.programs = {{.target = MotionTarget::number,
                             .instructions = uint32_t(motion.instructions.size()),
                             .instances = 2,
                             .own_constants = 3}};
@@ -64,35 +64,33 @@ TEST_CASE("motion: a number on the way that is not finite is told, even if it go
     CHECK(Machine(root, MotionOperand::clock)(0, false) == 7);
 }
 
-TEST_CASE("motion: fields are set in their own width, those of spheres' programs left alone") {
+TEST_CASE("motion: fields are set in their own width") {
     SceneProgram scene;
     scene.planes.resize(2);
-    scene.motion.instructions = {{MotionOp::divide, 0, MotionOperand::clock, MotionOperand::first_own}};
-    scene.motion.outputs = {0, 0, 0, 0, 0};
-    scene.motion.constants = {4, 3, 7};
-    scene.motion.targets = {0, 0, 1};
+    MotionCode& code = scene.motion.numbers;
+    code.instructions = {{MotionOp::divide, 0, MotionOperand::clock, MotionOperand::first_own}};
+    code.outputs = {0};
+    code.constants = {3, 7};
+    code.targets = {0, 1};
+    code.programs = {{.target = MotionTarget::number, .instructions = 1, .instances = 2, .own_constants = 1}};
     scene.motion.fields = {
         {MotionField::Table::planes, MotionField::Type::float64, 1, offsetof(Plane<double>, distance)},
         {MotionField::Table::scene, MotionField::Type::float32, 0,
          uint32_t(offsetof(SceneTables, background) + sizeof(float))}};
-    scene.motion.programs = {{.instructions = 1, .instances = 1, .own_constants = 1},
-                             {.target = MotionTarget::field,
-                              .instructions = 1,
-                              .first_output = 4,
-                              .first_instance = 1,
-                              .instances = 2,
-                              .own_constants = 1,
-                              .first_constant = 1}};
-    scene.motion.sphere_programs = scene.motion.moving_spheres = 1;
-
-    SceneTables alone = scene;
     CHECK(move_fields(scene, scene.motion, {1, 0, 0}));
     CHECK(scene.planes[1].distance == 1.0 / 3.0);
     CHECK(scene.background.y == float(1.0 / 7.0));
-    const MotionPrograms fields = field_programs(scene.motion);
-    CHECK(fields.constants == std::vector<double>{3, 7});
-    CHECK(fields.sphere_programs == 0);
-    CHECK(move_fields(alone, fields, {1, 0, 0}));
-    CHECK(alone.planes[1].distance == 1.0 / 3.0);
-    CHECK(alone.background.y == float(1.0 / 7.0));
+}
+
+TEST_CASE("motion: a guard is no number, and says when it does not hold") {
+    SceneProgram scene;
+    MotionCode& code = scene.motion.numbers;
+    code.instructions = {{MotionOp::divide, 0, MotionOperand::first_shared, MotionOperand::clock}};
+    code.outputs = {0};
+    code.shared = {1};
+    code.targets = {0};
+    code.programs = {{.target = MotionTarget::number, .instructions = 1, .instances = 1}};
+    scene.motion.fields = {{MotionField::Table::guard, MotionField::Type::float64, 0, 0}};
+    CHECK(move(scene, {1, 0, 0}));
+    CHECK(!move(scene, {0, 0, 0}));
 }

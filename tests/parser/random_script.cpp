@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/parser/random_script.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace proxima::testing {
+
+std::string RandomScript::constant() {
+    switch (below(6)) {
+    case 0:
+        return std::to_string(below(4));
+    case 1:
+        return "pi";
+    case 2:
+        return "rand(R)";
+    default:
+        return fmt::format("{:.3f}", double(below(4000)) / 1000 - 1);
+    }
+}
+
+std::string RandomScript::condition() {
+    return fmt::format("({}{}{})", number(1), one_of({"<", ">", "<=", ">=", "=", "!="}), number(1));
+}
+
+std::string RandomScript::number(int depth) {
+    if (depth <= 0 || chance(0.2)) {
+        switch (below(8)) {
+        case 0:
+        case 1:
+            return "clock";
+        case 2:
+            return one_of({"frame_number", "clock_delta"});
+        case 3:
+            return loop_.empty() ? constant() : loop_;
+        case 4:
+        case 5:
+            return numbers_ > 0 ? name("N", numbers_) : constant();
+        case 6:
+            return vectors_ > 0 ? name("V", vectors_) + one_of({".x", ".y", ".z"}) : constant();
+        default:
+            return constant();
+        }
+    }
+    const auto inner = [&] { return number(depth - 1); };
+    switch (below(14)) {
+    case 0:
+    case 1:
+    case 2:
+        return fmt::format("({}{}{})", inner(), one_of({"+", "-", "*"}), inner());
+    case 3: // a zero is possible, and makes the frame the script's
+        return chance(0.02) ? fmt::format("({}/{})", inner(), inner())
+                            : fmt::format("({}/(abs({})+0.3))", inner(), inner());
+    case 4:
+        return fmt::format("{}({})", one_of({"sin", "cos", "tanh", "atan", "abs", "floor", "ceil", "int", "sinh"}),
+                           inner());
+    case 5:
+        return fmt::format("{}(abs({})+1)", one_of({"sqrt", "acosh", "ln", "log", "exp", "degrees", "radians"}),
+                           inner());
+    case 6:
+        return fmt::format("{}({},abs({})+0.2)", one_of({"max", "min", "atan2", "mod", "div"}), inner(), inner());
+    case 7:
+        return fmt::format("pow(abs({})+0.1,{})", inner(), inner());
+    case 8:
+        return fmt::format("({}?{}:{})", condition(), inner(), inner());
+    case 9:
+        return fmt::format("select({},{},{},{})", inner(), inner(), inner(), inner());
+    case 10:
+        return fmt::format("({}{}{})", condition(), one_of({"&", "|"}), condition());
+    case 11:
+        return fmt::format("vdot({},{})", vector(depth - 1), vector(depth - 1));
+    case 12:
+        return fmt::format("{}({})", one_of({"-", "!", "+"}), inner());
+    default:
+        return fmt::format("{}{}", one_of({"vlength(", "vlength(2*"}), vector(depth - 1) + ")");
+    }
+}
+
+std::string RandomScript::vector(int depth) {
+    if (depth <= 0 && vectors_ > 0 && chance(0.5))
+        return name("V", vectors_);
+    switch (depth <= 0 ? 0 : below(8)) {
+    case 0:
+    case 1:
+    case 2:
+        return fmt::format("<{},{},{}>", number(depth), number(depth), number(depth));
+    case 3:
+        return fmt::format("({}{}{})", vector(depth - 1), one_of({"+", "-", "*"}), vector(depth - 1));
+    case 4:
+        return fmt::format("({}*{})", number(depth), vector(depth - 1));
+    case 5:
+        return fmt::format("{}({},{})", one_of({"vrotate", "vcross"}), vector(depth - 1), vector(depth - 1));
+    case 6:
+        return fmt::format("vnormalize({}+<0,7,0.1>)", vector(depth - 1));
+    default:
+        return fmt::format("vaxis_rotate({},{}+<3,0,0>,{})", vector(depth - 1), vector(depth - 1), number(depth));
+    }
+}
+
+std::string RandomScript::transform() {
+    switch (below(8)) {
+    case 0:
+    case 1:
+        return fmt::format(" translate {}", vector(1));
+    case 2:
+    case 3:
+        return fmt::format(" rotate {}*40", vector(1));
+    case 4:
+        return fmt::format(" scale abs({})+0.5", number(1));
+    case 5:
+        return fmt::format(" scale <abs({})+0.5,1,2>", number(1));
+    case 6:
+        return fmt::format(" matrix <1,{},0, 0,1,0, 0,{},1, {},0,2>", number(1), number(0), number(1));
+    default:
+        return fmt::format(" transform {{ rotate {}*x scale 2 {} }}", number(1), chance(0.5) ? "inverse" : "");
+    }
+}
+
+std::string RandomScript::color() {
+    return fmt::format("{} {}", one_of({"rgb", "color rgb", "srgb"}),
+                       chance(0.7) ? vector(1) : fmt::format("<0.5,abs({}),0.2>", number(1)));
+}
+
+std::string RandomScript::surface() {
+    switch (below(6)) {
+    case 0:
+        return fmt::format(" pigment {{ {} }}", color());
+    case 1:
+        return fmt::format(" pigment {{ rgbf <1,{},0,abs({})> }}", number(1), number(1));
+    case 2:
+        return fmt::format(" pigment {{ checker {} {} {} }}", color(), color(), transform());
+    case 3:
+        return fmt::format(" finish {{ diffuse abs({}) phong {} reflection {{ {} }} }}", number(1), constant(),
+                           color());
+    case 4:
+        return fmt::format(" pigment {{ gradient y color_map {{ [0 {}] [1 {}] }} phase {} {} }}", color(), color(),
+                           number(1), transform());
+    default:
+        return " texture { T }";
+    }
+}
+
+std::string RandomScript::sphere() {
+    std::string text = fmt::format("sphere {{ {}, abs({})+0.01", vector(), number(1));
+    for (uint32_t i = below(3); i > 0; --i)
+        text += chance(0.5) ? surface() : transform();
+    return text + " }";
+}
+
+std::string RandomScript::object(int depth) {
+    if (depth <= 0 || chance(0.5))
+        return sphere();
+    std::string text = "union {";
+    for (uint32_t i = 1 + below(3); i > 0; --i)
+        text += " " + object(depth - 1);
+    if (chance(0.4))
+        text += fmt::format(" plane {{ {}+y*5, {} }}", vector(1), number(1));
+    for (uint32_t i = below(4); i > 0; --i)
+        text += chance(0.3) ? surface() : transform();
+    return text + " }";
+}
+
+std::string RandomScript::statement(bool control, int depth) {
+    switch (below(depth > 0 ? 14 : 9)) {
+    case 0:
+    case 1: {
+        const std::string value = number();
+        const size_t place = loop_.empty() && numbers_ < 6 ? numbers_++ : numbers_ > 0 ? below(uint32_t(numbers_)) : 99;
+        return fmt::format("#declare N{} = {};\n", place, value);
+    }
+    case 2: {
+        const std::string value = vector();
+        const size_t place = loop_.empty() && vectors_ < 4 ? vectors_++ : vectors_ > 0 ? below(uint32_t(vectors_)) : 99;
+        return fmt::format("#declare V{} = {};\n", place, value);
+    }
+    case 3:
+        return fmt::format("#declare A[{}] = {};\nsphere {{ A[{}]*x, 0.5 }}\n", below(3), number(), below(3));
+    case 4:
+        return fmt::format("Ball({}, {})\n", vector(), number(1));
+    case 5:
+        return fmt::format("#declare O = {}\nobject {{ O {} }}\n", object(1), transform());
+    case 6:
+        return fmt::format("#declare T = texture {{ {} }}\n", fmt::format("pigment {{ {} }}", color()));
+    case 7:
+        return fmt::format("light_source {{ {}, {} {} }}\n", vector(), color(),
+                           one_of({"", "spotlight radius 10+clock falloff 30", "fade_power 2 fade_distance 3+clock",
+                                   "parallel point_at <clock,0,0>"}));
+    case 8:
+    case 9:
+        return object(2) + "\n";
+    case 10:
+    case 11: {
+        const std::string outer = std::exchange(loop_, fmt::format("I{}", depth));
+        std::string text = fmt::format("#for ({}, 0, {})\n", loop_, 1 + below(3));
+        for (uint32_t i = 1 + below(3); i > 0; --i)
+            text += statement(control, depth - 1);
+        loop_ = outer;
+        return text + "#end\n";
+    }
+    case 12: {
+        std::string text = control ? fmt::format("#if {}\n", condition()) : "#if (rand(R) < 0.5)\n";
+        return text + object(1) + "\n#else\n" + object(1) + "\n#end\n";
+    }
+    default:
+        return fmt::format("{}\n", sphere());
+    }
+}
+
+std::string RandomScript::scene(bool control) {
+    numbers_ = vectors_ = 0;
+    loop_.clear();
+    std::string text = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare R = seed(" +
+                       std::to_string(below(1000)) + ");\n" +
+                       "#declare A = array[3] {clock, 2, 3+clock}\n"
+                       "#declare T = texture { pigment { rgb 1 } }\n"
+                       "#macro Ball(P, Q) #local L = Q*2; sphere { P, abs(L)+0.1 translate L*y } #end\n"
+                       "#declare N99 = 1; #declare V99 = x;\n";
+    for (int i = 0; i < 8; ++i)
+        text += statement(control, 2);
+    text += fmt::format("camera {{ location {}+<0,0,-9> look_at {} angle 30+clock {} }}\n", vector(1), vector(1),
+                        chance(0.5) ? transform() : "");
+    text += fmt::format("background {{ {} }}\n", color());
+    if (chance(0.3))
+        text += fmt::format("fog {{ distance abs({})+1 {} }}\n", number(1), color());
+    return text;
+}
+
+} // namespace proxima::testing
