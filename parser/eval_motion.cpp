@@ -62,6 +62,8 @@ void Evaluator::stop_recording(SourceSpan place, std::string word, std::string r
                                .column = at.column,
                                .word = std::move(word),
                                .reason = std::move(reason)};
+    if (settings_.needs_motion)
+        throw MotionImpossible{*obstacle_};
 }
 
 /// Frees the nodes that nothing needs any more. Only where no expression or object is half read.

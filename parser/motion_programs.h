@@ -73,6 +73,11 @@ struct MotionObstacle {
     std::string reason; ///< a sentence
 };
 
+/// Ends an evaluation that needs motion programs.
+struct MotionImpossible {
+    MotionObstacle obstacle;
+};
+
 /// Computes what the instances of the programs for spheres share at `time`, into a copy of spheres.shared. False when
 /// a number on the way is not finite.
 bool evaluate_uniforms(const MotionPrograms& motion, const MotionTime& time, std::span<double> shared);

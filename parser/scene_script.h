@@ -47,6 +47,8 @@ struct EvaluationSettings {
     EvaluationBudget budget;
     /// Makes motion programs of what follows from the time, if that is possible.
     bool record_motion = false;
+    /// Throws MotionImpossible as soon as it is not.
+    bool needs_motion = false;
     /// The script is not evaluated again: literal spheres are moved out of the syntax instead of copied.
     bool last_evaluation = false;
     /// Takes the texts of #debug, #render and #statistics; without it they are dropped.

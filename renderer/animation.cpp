@@ -36,7 +36,7 @@ Animation Animation::sequence(const std::vector<int64_t>& all_frames, std::vecto
     return animation;
 }
 
-SceneClock Animation::clock(int64_t frame) const {
+SceneClock Animation::clock(int64_t frame, double steps) const {
     SceneClock time;
     time.clock_on = clock_on;
     if (is_still) {
@@ -45,7 +45,7 @@ SceneClock Animation::clock(int64_t frame) const {
     }
     const int64_t last = final_frame + (cyclic ? 1 : 0);
     const float delta = has_no_step() ? 0.0f : (final_clock - initial_clock) / float(last - initial_frame);
-    time.clock = double(float(double(initial_clock) + double(frame - initial_frame) * double(delta)));
+    time.clock = double(float(double(initial_clock) + (double(frame - initial_frame) + steps) * double(delta)));
     time.clock_delta = through_text(delta);
     time.frame_number = through_text(double(frame));
     time.initial_frame = through_text(double(initial_frame));
@@ -53,6 +53,14 @@ SceneClock Animation::clock(int64_t frame) const {
     time.initial_clock = through_text(initial_clock);
     time.final_clock = through_text(final_clock);
     return time;
+}
+
+std::vector<SceneClock> Animation::moments(int64_t frame) const {
+    std::vector<SceneClock> result;
+    for (uint32_t i = 0; i < shutter.samples; ++i)
+        result.push_back(
+            clock(frame, shutter.open + (shutter.close - shutter.open) * (i + 0.5) / double(shutter.samples)));
+    return result;
 }
 
 } // namespace proxima

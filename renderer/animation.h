@@ -9,6 +9,16 @@
 
 namespace proxima {
 
+/// How long each frame is exposed, in steps from frame to frame: the moments that it is the mean of are the middles of
+/// `samples` equal parts of the time from `open` to `close`, counted from the frame's own clock.
+struct Shutter {
+    static constexpr uint32_t most_samples = 1024;
+
+    double open = 0;
+    double close = 0;
+    uint32_t samples = 1;
+};
+
 struct Animation {
     bool is_still = true;
     std::vector<int64_t> frames{0}; ///< to render now, in this order; a still is frame 0
@@ -18,6 +28,7 @@ struct Animation {
     float final_clock = 1.0f;
     bool clock_on = false;
     bool cyclic = false; ///< the clock of the last frame stops one step short of final_clock
+    Shutter shutter;
 
     /// A still. `clock_on` reads as true when a clock was asked for.
     static Animation still(std::optional<float> clock);
@@ -30,7 +41,11 @@ struct Animation {
 
     /// The predeclared names in `frame`. The clock is a float32 widened to double; everything else went through text
     /// of six significant digits.
-    SceneClock clock(int64_t frame) const;
+    SceneClock clock(int64_t frame) const { return clock(frame, 0); }
+    /// The same some frame steps later; the other numbers are the frame's.
+    SceneClock clock(int64_t frame, double steps) const;
+    /// The moments that a frame shows, one or more.
+    std::vector<SceneClock> moments(int64_t frame) const;
 };
 
 } // namespace proxima

@@ -17,6 +17,10 @@ void check_command(const CheckOptions& options);
 /// Throws FramesIncomplete, and what reading a scene throws.
 void verify_command(const VerifyOptions& options);
 
+/// Reads and evaluates the scene as rendering its first frame would, and prints how the frames would be made.
+/// Throws SceneRejected, FileError.
+void plan_command(const PlanOptions& options);
+
 /// Compares two pictures, two sets of pictures, or POV-Ray's pictures of a scene with ours, and prints the figures.
 /// Throws PicturesDiffer unless all are equal within the tolerance, FileError when one cannot be read, UsageError, and
 /// when it renders what render_command throws.

@@ -60,7 +60,7 @@ std::vector<AuditedFrame> audit_frames(const RenderOptions& options, SceneSource
     for (FileFound& file : found) {
         AuditedFrame& frame = file.frame;
         if (frame.state == FrameState::complete) { // a scene is evaluated only for files that may be of it
-            scene.load(frame.frame);
+            scene.scenes(frame.frame);
             const SceneFacts facts = scene.facts(frame.frame);
             if (std::ranges::none_of(backends, [&](const std::string& backend) {
                     return hash.of(frame.frame, facts, backend) == file.hash;

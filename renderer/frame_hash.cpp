@@ -24,6 +24,11 @@ std::string describe(const FrameSettings& settings) {
                        antialiasing.depth, int(settings.precision), int(settings.tolerances));
 }
 
+std::string describe(const Shutter& shutter) {
+    const auto& [open, close, samples] = shutter;
+    return fmt::format("shutter {} {} {}", bits(open), bits(close), samples);
+}
+
 std::string describe(const SceneClock& time) {
     const auto& [clock, clock_delta, clock_on, frame_number, initial_frame, final_frame, initial_clock, final_clock] =
         time;
@@ -34,10 +39,11 @@ std::string describe(const SceneClock& time) {
 } // namespace
 
 FrameHash::FrameHash(const RenderOptions& options, std::string_view color)
-    : settings_(fmt::format(
-          "proxima " PROXIMA_VERSION " {} format {} type {} compression {} rate {}/{} color {} dither {}",
-          describe(options.frame), int(options.output->format()), int(options.type), int(options.compression),
-          options.rate.numerator, options.rate.denominator, color, options.dither)) {}
+    : settings_(fmt::format("proxima " PROXIMA_VERSION
+                            " {} {} format {} type {} compression {} rate {}/{} color {} dither {}",
+                            describe(options.frame), describe(options.scene.animation.shutter),
+                            int(options.output->format()), int(options.type), int(options.compression),
+                            options.rate.numerator, options.rate.denominator, color, options.dither)) {}
 
 std::string FrameHash::of(int64_t frame, const SceneFacts& scene, std::string_view backend) const {
     return hash_text(fmt::format("{} frame {} scene {} {} backend {}", settings_, frame, scene.hash.text(),

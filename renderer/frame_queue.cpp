@@ -18,8 +18,8 @@ bool FrameQueue::push(FrameTask task) {
             return false;
         task.rows = rows;
         waiting_.push_back(task);
-        if (workers_.size() == 1)
-            task.scene.reset(); // nobody else needs it: see FrameSource
+        if (workers_.size() == 1 && task.scenes.programs.size() == 1 && task.scenes.moments.empty())
+            task.scenes.programs = {nullptr}; // nobody else needs it: see FrameSource
         changed_.notify_all();
     }
     return true;

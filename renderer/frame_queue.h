@@ -2,9 +2,8 @@
 // The one queue of a run's frames: evaluated scenes come in on one side, devices take frames on the other, and what a
 // device could not finish comes back.
 #pragma once
-#include "parser/scene_program.h"
-#include "parser/scene_script.h"
 #include "renderer/frame_assembly.h"
+#include "renderer/frame_scenes.h"
 #include "renderer/scene_facts.h"
 
 #include <condition_variable>
@@ -22,9 +21,9 @@ namespace proxima {
 struct FrameTask {
     size_t index = 0; ///< in the order in which frames were asked for
     int64_t frame = 0;
-    SceneClock time;
-    /// Frames whose scene is the same share one. Null: the scene of the frame before (see FrameSource).
-    std::shared_ptr<const SceneProgram> scene;
+    /// What the picture shows: the mean of several scenes, or one at several moments. A null scene is that of the frame
+    /// before (see FrameSource).
+    FrameScenes scenes;
     SceneFacts facts{};
     Rows rows{};                               ///< the queue's: what of it is meant
     std::shared_ptr<FrameAssembly> assembly{}; ///< the queue's: shared by all bands of the frame

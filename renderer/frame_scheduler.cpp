@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/frame_scheduler.h"
 #include "renderer/host_memory.h"
+#include "renderer/image_mean.h"
 #include "renderer/timing.h"
 
 #include <chrono>
@@ -134,28 +135,26 @@ void FrameScheduler::report(const RenderWorker& worker, const std::optional<Fram
                  : fmt::format("{}: {}; the others go on", worker.device, error.what()));
 }
 
-void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task,
-                            std::weak_ptr<const SceneProgram>& held) {
+void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task, HeldScene& held) {
     FrameWatch builder_watch(config_.watch, worker.builder, task.frame);
     FrameWatch watch(config_.watch, worker.device, task.frame, worker.builder.empty() ? nullptr : &builder_watch);
     const WatchedRenderer watched(*worker.renderer, &watch);
     const Stopwatch stopwatch;
-    if (task.scene && !is_same(held, task.scene)) {
-        worker.renderer->set_scene(*task.scene, config_.settings.precision);
-        held = task.scene;
-    }
     Image& image = task.assembly->image(writer_, config_.settings, *worker.renderer);
     FrameStatistics statistics;
-    for (bool retried = false;; retried = true) {
+    for (bool smaller = false;;) {
         try {
-            statistics = render_rows(worker, task, image);
-            if (retried)
+            statistics = render_scenes(worker, task, held, image);
+            if (smaller)
                 config_.note(
                     fmt::format("{}: out of memory; goes on in tiles of {} rows", worker.device, worker.most_rows));
             break;
         } catch (const DeviceError& error) {
             if (error.kind != DeviceError::Kind::out_of_memory || !render_smaller(worker, task))
                 throw;
+            smaller = true;
+        } catch (const MotionUndefined&) {
+            task.scenes = config_.scenes_by_script(task.frame);
         }
     }
     if (!statistics.note.empty())
@@ -177,14 +176,33 @@ void FrameScheduler::hand_over(FinishedFrame frame) {
     }
 }
 
+/// The mean of the task's scenes.
+FrameStatistics FrameScheduler::render_scenes(RenderWorker& worker, FrameTask& task, HeldScene& held, Image& image) {
+    const auto& programs = task.scenes.programs;
+    FrameStatistics statistics;
+    ImageMean mean;
+    for (size_t i = 0; i < programs.size(); ++i) {
+        if (programs[i] && !is_same(held, programs[i])) {
+            worker.renderer->set_scene(*programs[i], config_.settings.precision);
+            held = programs[i];
+        }
+        statistics.add(render_rows(worker, task, programs.size() > 1 ? mean.next() : image));
+        if (programs.size() > 1)
+            mean.add(config_.settings.with_rows(task.rows).band());
+    }
+    if (programs.size() > 1)
+        mean.store(image, config_.settings.with_rows(task.rows).band());
+    return statistics;
+}
+
 /// The task's rows, as many at a time as the device has had memory for.
 FrameStatistics FrameScheduler::render_rows(RenderWorker& worker, FrameTask& task, Image& image) {
     const FrameSettings settings = config_.settings.with_rows(task.rows);
     if (worker.most_rows == 0)
-        return worker.renderer->render(settings, image);
+        return worker.renderer->render(settings, task.scenes.moments, image);
     FrameStatistics statistics;
     for (const Rows& rows : cut_into_bands(settings.band(), worker.most_rows))
-        statistics.add(worker.renderer->render(settings.with_rows(rows), image));
+        statistics.add(worker.renderer->render(settings.with_rows(rows), task.scenes.moments, image));
     return statistics;
 }
 

@@ -35,6 +35,8 @@ public:
         FrameSettings settings;
         std::function<FrameRecord(const FrameTask&)> describe; ///< what is known of a frame before it is rendered
         std::function<void(const std::string&)> note;          ///< tells the user; any thread
+        /// What a frame shows whose motion is undefined; any thread. May throw what ends the run.
+        std::function<FrameScenes(int64_t)> scenes_by_script;
         RunWatch watch{};
         /// That frames in flight are given to finish after a signal; then they are dropped.
         std::chrono::milliseconds patience{1000};
@@ -53,8 +55,10 @@ public:
 
 private:
     void work(size_t number, RenderWorker& worker);
-    void render(size_t number, RenderWorker& worker, FrameTask& task, std::weak_ptr<const SceneProgram>& held);
+    using HeldScene = std::weak_ptr<const SceneProgram>; ///< which a renderer has
+    void render(size_t number, RenderWorker& worker, FrameTask& task, HeldScene& held);
     void hand_over(FinishedFrame frame);
+    FrameStatistics render_scenes(RenderWorker& worker, FrameTask& task, HeldScene& held, Image& image);
     FrameStatistics render_rows(RenderWorker& worker, FrameTask& task, Image& image);
     bool render_smaller(RenderWorker& worker, const FrameTask& task);
     void cancel_frames();

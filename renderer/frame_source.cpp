@@ -20,8 +20,7 @@ void FrameSource::run(SceneSource& scene, const Animation& animation, bool keep)
     try {
         for (size_t index = 0; index < animation.frames.size(); ++index) {
             const int64_t frame = animation.frames[index];
-            scene.load(frame);
-            FrameTask task{index, frame, animation.clock(frame), scene.shared_program(), scene.facts(frame)};
+            FrameTask task{index, frame, scene.scenes(frame), scene.facts(frame)};
             if (!keep)
                 scene.release_program();
             if (!queue_.push(std::move(task)))

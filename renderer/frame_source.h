@@ -12,9 +12,9 @@ namespace proxima {
 
 class FrameSource {
 public:
-    /// `scene` has loaded the first frame, and is used by this thread alone until stop() or the end. With `keep`, every
-    /// task has its scene; without, only the first task of those that share one, and nobody but it keeps it: a single
-    /// worker has a copy on its device, and the host's memory is better used for something else.
+    /// `scene` is used by this thread alone until the end, but for scenes_by_script. With `keep`, every task has its
+    /// scene; without, only the first task of those that share one which does not move, and nobody but it keeps it: a
+    /// single worker has a copy on its device, and the host's memory is better used for something else.
     FrameSource(SceneSource& scene, const Animation& animation, FrameQueue& queue, bool keep);
     /// Closes the queue and waits for the frame that is being evaluated.
     ~FrameSource();

@@ -122,6 +122,17 @@ ClockValues parse_clock(std::string_view text) {
     return clock;
 }
 
+std::pair<double, double> parse_shutter(std::string_view text) {
+    const size_t colon = std::min(text.find(':'), text.size());
+    const auto open = read_number<double>(text.substr(0, colon));
+    const auto close = read_number<double>(text.substr(std::min(colon + 1, text.size())));
+    if (!open || !close || !std::isfinite(*open) || !std::isfinite(*close) || *close < *open)
+        throw UsageError(fmt::format(
+            "--shutter {}: write OPEN:CLOSE in steps from frame to frame, OPEN not above CLOSE, like -0.25:0.25",
+            text));
+    return {*open, *close};
+}
+
 double parse_tolerance(std::string_view text) {
     const size_t slash = std::min(text.find('/'), text.size());
     const auto above = read_number<double>(text.substr(0, slash));

@@ -35,6 +35,9 @@ struct ClockValues {
 };
 ClockValues parse_clock(std::string_view text);
 
+/// OPEN:CLOSE of --shutter; it does not close before it opens.
+std::pair<double, double> parse_shutter(std::string_view text);
+
 /// "0.01" or "2/65535": from 0.
 double parse_tolerance(std::string_view text);
 

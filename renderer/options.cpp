@@ -15,7 +15,7 @@ namespace {
 
 /// CLI11 would only say that a command is missing.
 void check_command_name(int argc, const char* const* argv) {
-    static constexpr std::string_view names[] = {"render", "verify", "compare", "check", "devices"};
+    static constexpr std::string_view names[] = {"render", "verify", "compare", "check", "plan", "devices"};
     const std::string_view name = argc > 1 ? argv[1] : "";
     if (name.starts_with('-') || std::find(std::begin(names), std::end(names), name) != std::end(names))
         return;
@@ -50,6 +50,14 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_scene(*check, check_texts);
     check->get_option("SCENE")->required();
     add_scene_options(*check, check_texts);
+    PlanOptions plan_options;
+    SceneTexts plan_texts;
+    CLI::App* plan = app.add_subcommand("plan", "Tell how a scene would be rendered, and why, in numbers");
+    add_scene(*plan, plan_texts);
+    add_scene_options(*plan, plan_texts);
+    add_choice_options(*plan, plan_texts, "plan for");
+    add_shutter_options(*plan, plan_texts);
+    plan->add_flag("--json", plan_options.json, "As JSON");
     CLI::App* devices = app.add_subcommand("devices", "List what can render");
     devices->add_flag("--json", devices_options.json, "As JSON");
 
@@ -79,6 +87,11 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (check->parsed()) {
         apply_ini(*check, check_texts);
         return CheckOptions{read_scene_options(check_texts)};
+    }
+    if (plan->parsed()) {
+        apply_ini(*plan, plan_texts);
+        plan_options.scene = read_scene_options(plan_texts);
+        return plan_options;
     }
     if (!devices->parsed())
         throw UsageError("no command; write `proxima render SCENE`, or see `proxima --help`");

@@ -89,6 +89,11 @@ struct CheckOptions {
     SceneOptions scene;
 };
 
+struct PlanOptions {
+    SceneOptions scene;
+    bool json = false;
+};
+
 struct DevicesOptions {
     bool json = false;
 };
@@ -98,8 +103,8 @@ struct Information {
     std::string text;
 };
 
-using Command = std::variant<RenderOptions, VerifyOptions, ColorChoicesOptions, CheckOptions, CompareOptions,
-                             DevicesOptions, Information>;
+using Command = std::variant<RenderOptions, VerifyOptions, ColorChoicesOptions, CheckOptions, PlanOptions,
+                             CompareOptions, DevicesOptions, Information>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

@@ -98,7 +98,7 @@ void render_command(const RenderOptions& options) {
     auto starting_devices = std::async(std::launch::async, start_devices, options.device, options.threads);
     SceneSource scene(options.scene);
     check_outputs(options);
-    scene.load(animation.frames.front());
+    scene.scenes(animation.frames.front());
     std::fputs(scene.messages(false).c_str(), stderr);
     StartedDevices started = starting_devices.get();
 
@@ -106,7 +106,8 @@ void render_command(const RenderOptions& options) {
                   .width = options.frame.width,
                   .height = options.frame.height,
                   .samples = options.frame.samples,
-                  .spheres = scene.program().spheres.size() + scene.program().ellipsoids.size()};
+                  .spheres = scene.program().spheres.size() + scene.program().ellipsoids.size(),
+                  .moving = scene.program().motion.moving_spheres()};
     size_t skipped = 0;
     if (options.skip_existing)
         skipped = skip_complete(options, scene, finisher.hash(), backends_of(started), animation);
@@ -139,6 +140,7 @@ void render_command(const RenderOptions& options) {
                                                          .scene = task.facts};
                                   },
                               .note = [&](const std::string& text) { progress.note(text); },
+                              .scenes_by_script = [&](int64_t frame) { return scene.scenes_by_script(frame); },
                               .watch = watch});
     const auto measure = [&] {
         run.parse_ms = scene.parse_ms();

@@ -23,6 +23,7 @@ void add_picture_options(CLI::App& command, RenderTexts& texts, const char* doin
     add_scene(command, texts.scene);
     add_scene_options(command, texts.scene);
     add_choice_options(command, texts.scene, doing);
+    add_shutter_options(command, texts.scene);
     command.add_option("--samples", texts.samples, "Rays a pixel; 1 is its centre [1]")->type_name("N");
     add_antialias_option(command, texts.antialias);
     add_device_options(command, texts.device);

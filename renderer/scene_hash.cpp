@@ -104,10 +104,13 @@ public:
         const auto& [table, type, index, offset] = value;
         add(table, type, index, offset);
     }
+    void add(const MotionCode& value) {
+        const auto& [programs, instructions, outputs, shared, constants, targets] = value;
+        add(programs, instructions, outputs, shared, constants, targets);
+    }
     void add(const MotionPrograms& value) {
-        const auto& [programs, instructions, outputs, shared, constants, targets, fields, sphere_programs,
-                     moving_spheres] = value;
-        add(programs, instructions, outputs, shared, constants, targets, fields, sphere_programs, moving_spheres);
+        const auto& [spheres, uniforms, numbers, fields] = value;
+        add(spheres, uniforms, numbers, fields);
     }
 
 private:

@@ -48,7 +48,35 @@ Animation read_animation(const SceneTexts& texts) {
     return animation;
 }
 
+/// --shutter and --shutter-samples.
+Shutter read_shutter(const SceneTexts& texts, const Animation& animation) {
+    constexpr uint32_t default_samples = 16;
+    if (texts.shutter.empty()) {
+        if (!texts.shutter_samples.empty())
+            throw UsageError("--shutter-samples: there is no shutter; give --shutter OPEN:CLOSE too");
+        return {};
+    }
+    if (animation.is_still)
+        throw UsageError("--shutter: it is counted in steps from frame to frame; give --frames A-B too");
+    const auto [open, close] = parse_shutter(texts.shutter);
+    return {open, close,
+            texts.shutter_samples.empty()
+                ? default_samples
+                : parse_count("--shutter-samples", texts.shutter_samples, 1, Shutter::most_samples)};
+}
+
 } // namespace
+
+void add_shutter_options(CLI::App& command, SceneTexts& texts) {
+    command
+        .add_option("--shutter", texts.shutter,
+                    "Motion blur: from where to where a frame is exposed, in steps from frame to frame [0:0]")
+        ->type_name("OPEN:CLOSE");
+    command
+        .add_option("--shutter-samples", texts.shutter_samples,
+                    "Moments that a frame is the mean of: the middles of N equal parts of the exposure [16]")
+        ->type_name("N");
+}
 
 void add_scene(CLI::App& command, SceneTexts& texts) {
     command.add_option("SCENE", texts.scene, "The scene file, - for standard input, or a POV-Ray .ini");
@@ -122,6 +150,7 @@ SceneOptions read_scene_options(const SceneTexts& texts) {
         options.declares.push_back(parse_declare(declare));
     std::tie(options.width, options.height) = parse_size(texts.size);
     options.animation = read_animation(texts);
+    options.animation.shutter = read_shutter(texts, options.animation);
     if (!texts.max_steps.empty())
         options.budget.steps = 1'000'000ull * parse_count("--max-steps", texts.max_steps, 1, 1'000'000'000);
     if (!texts.max_memory.empty())

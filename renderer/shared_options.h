@@ -14,6 +14,7 @@ struct SceneTexts {
     std::string scene, size = "640x480", frames, subset, shard, clock;
     std::string max_steps, max_memory, max_seconds;
     std::vector<std::string> include_paths, declares;
+    std::string shutter, shutter_samples;
     bool cyclic = false;
 };
 
@@ -25,6 +26,8 @@ struct DeviceTexts {
 void add_scene(CLI::App& command, SceneTexts& texts);
 /// --subset and --shard, which choose from the frames.
 void add_choice_options(CLI::App& command, SceneTexts& texts, const char* doing);
+/// --shutter and --shutter-samples.
+void add_shutter_options(CLI::App& command, SceneTexts& texts);
 /// Everything but the scene itself and those.
 void add_scene_options(CLI::App& command, SceneTexts& texts);
 void add_device_options(CLI::App& command, DeviceTexts& texts);

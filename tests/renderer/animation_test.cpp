@@ -56,6 +56,21 @@ TEST_CASE("animation: the other names went through six significant digits") {
     CHECK(frames(1, 2, 0, 1, true).clock(1).final_frame == 3);
 }
 
+TEST_CASE("animation: a frame's moments are the middles of the parts of its exposure, in steps between frames") {
+    Animation animation = frames(1, 11);
+    CHECK(animation.moments(3).size() == 1);
+    CHECK(animation.moments(3)[0].clock == animation.clock(3).clock);
+    animation.shutter = {-0.5, 0.5, 4};
+    const std::vector<SceneClock> moments = animation.moments(3);
+    REQUIRE(moments.size() == 4);
+    const double steps[] = {-0.375, -0.125, 0.125, 0.375};
+    for (size_t i = 0; i < 4; ++i) {
+        CHECK(moments[i].clock == double(float((2 + steps[i]) * double(0.1f))));
+        CHECK(moments[i].frame_number == 3);
+        CHECK(moments[i].clock_delta == 0.1);
+    }
+}
+
 TEST_CASE("animation: in a still everything reads 0 but the clock that was asked for") {
     const SceneClock plain = Animation::still({}).clock(0);
     CHECK(plain.clock == 0);

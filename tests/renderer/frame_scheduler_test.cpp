@@ -19,6 +19,10 @@ using Behavior = FakeRenderer::Behavior;
 struct Run {
     size_t frames = 20;
     std::function<std::shared_ptr<const SceneProgram>(int64_t)> scene_of;
+    std::function<FrameScenes(int64_t)> scenes_of = [this](int64_t frame) {
+        return FrameScenes{{scene_of(frame)}, {}};
+    };
+    std::function<FrameScenes(int64_t)> scenes_by_script = scenes_of;
     std::vector<FrameRecord> records;
     std::map<int64_t, float> pictures; ///< frame -> what its picture shows
     std::map<std::string, int> counts; ///< device -> frames
@@ -52,7 +56,7 @@ struct Run {
         FrameQueue queue(frames, devices.size(), bands);
         std::thread source([&] {
             for (size_t i = 0; i < frames; ++i)
-                if (!queue.push({i, int64_t(i), {}, scene_of(int64_t(i))}))
+                if (!queue.push({i, int64_t(i), scenes_of(int64_t(i))}))
                     return;
             queue.end();
         });
@@ -84,7 +88,8 @@ struct Run {
                                       [&](const std::string& text) {
                                           const std::lock_guard lock(mutex);
                                           notes.push_back(text);
-                                      }});
+                                      },
+                                  .scenes_by_script = [&](int64_t frame) { return scenes_by_script(frame); }});
         struct Finish {
             Run& run;
             FrameWriter& writer;
@@ -133,6 +138,35 @@ TEST_CASE("scheduler: a scene that many frames share is set once on each device"
     run(std::vector<Behavior>(3, Behavior{.milliseconds = 1, .scenes_set = &scenes_set}));
     CHECK(run.records.size() == 20);
     CHECK(scenes_set <= 3);
+}
+
+TEST_CASE("scheduler: a frame whose motion is undefined is rendered as the script says it") {
+    Run run;
+    const auto program = std::make_shared<const SceneProgram>(); // that nobody shall see in frame 3
+    const auto by_script = run.scenes_by_script;
+    run.scenes_of = [&](int64_t frame) { return frame == 3 ? FrameScenes{{program}, {}} : by_script(frame); };
+    run({{.before_frame = [](int frame) {
+        if (frame == 3)
+            throw MotionUndefined("a sphere");
+    }}});
+    CHECK(run.is_complete());
+    CHECK(run.notes.empty());
+}
+
+TEST_CASE("scheduler: a picture of several scenes is their mean, in bands or whole") {
+    for (const std::vector<Rows>& bands : {std::vector<Rows>{Rows{}}, std::vector<Rows>{{0, 32}, {32, 8}}}) {
+        Run run;
+        run.height = 40;
+        run.bands = bands;
+        run.scenes_of = [&](int64_t frame) {
+            FrameScenes scenes;
+            for (const double offset : {-1, 0, 1})
+                scenes.programs.push_back(run.scene_of(frame + int64_t(offset)));
+            return scenes;
+        };
+        run(std::vector<Behavior>(2));
+        CHECK(run.is_complete());
+    }
 }
 
 TEST_CASE("scheduler: devices get work by what they finish") {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/commands.h"
+#include "renderer/errors.h"
+#include "renderer/motion_plan.h"
+#include "renderer/scene_source.h"
+
+#include <cstdio>
+
+namespace proxima {
+
+void plan_command(const PlanOptions& options) {
+    const Animation& animation = options.scene.animation;
+    if (animation.frames.empty())
+        throw UsageError("--shard: nothing to plan: there are fewer frames than shards");
+    SceneSource scene(options.scene);
+    scene.record_stills();
+    scene.scenes(animation.frames.front());
+    std::fputs(scene.messages(false).c_str(), stderr);
+    const std::vector<PlanSection> sections{motion_plan(scene.program(), scene.obstacle(), animation)};
+    std::fputs((options.json ? plan_json(sections) : plan_text(sections)).c_str(), stdout);
+}
+
+} // namespace proxima
