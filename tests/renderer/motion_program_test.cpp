@@ -107,12 +107,15 @@ TEST_CASE("motion: blur is the mean of the frame's moments, by programs and by t
     work.write("a.scn", scene);
     const std::vector<std::string> blurred{"--shutter", "-0.5:0.5", "--shutter-samples", "4", "--precision", "double"};
     compare_ways(work, blurred);
-    const std::string by_programs = work.content("all.02.png");
+    std::filesystem::copy_file(work.folder / "all.02.png", work.folder / "by_programs.png");
     work.write("a.scn", scene + "#if (clock > 0) sphere { 9*y, 0.1 } #end\n"); // behind the camera's sight
     compare_ways(work, blurred);
-    CHECK(work.content("all.02.png") == by_programs);
+    const auto differs = [&](const char* name) { // in pixels: the files also hold hashes of their scenes
+        return work.run({"compare", name, "by_programs.png"}).exit_code;
+    };
+    CHECK(differs("all.02.png") == 0);
     REQUIRE(work.render({"a.scn", "-o", "sharp.##.png", "--frames", "1-4", "--subset", "2"}).exit_code == 0);
-    CHECK(work.content("sharp.02.png") != by_programs);
+    CHECK(differs("sharp.02.png") == 4);
 }
 
 TEST_CASE("motion: a shutter that means nothing is refused") {
