@@ -44,8 +44,9 @@ SceneClock Animation::clock(int64_t frame, double steps) const {
         return time;
     }
     const int64_t last = final_frame + (cyclic ? 1 : 0);
-    const float delta = has_no_step() ? 0.0f : (final_clock - initial_clock) / float(last - initial_frame);
-    time.clock = double(float(double(initial_clock) + (double(frame - initial_frame) + steps) * double(delta)));
+    // The range of the clock is rounded to float, its division among the frames is not.
+    const double delta = has_no_step() ? 0.0 : double(final_clock - initial_clock) / double(last - initial_frame);
+    time.clock = double(float(double(initial_clock) + (double(frame - initial_frame) + steps) * delta));
     time.clock_delta = through_text(delta);
     time.frame_number = through_text(double(frame));
     time.initial_frame = through_text(double(initial_frame));

@@ -54,3 +54,36 @@ TEST_CASE("povray: every example looks as in POV-Ray") {
     }
     std::ofstream("table.txt") << table;
 }
+
+TEST_CASE("povray: the first frames and a late one of every animated example look as in POV-Ray") {
+    struct Row {
+        const char* scene;
+        ShotFrame animation;
+    };
+    const Row rows[] = {{"07_showcase", {.last = 72, .cyclic = true}},
+                        {"12_pendulum_wave", {.last = 240, .cyclic = true}},
+                        {"16_galaxy", {.last = 120}},
+                        {"17_lattice_waves", {.last = 96, .cyclic = true}},
+                        {"18_breaking_block", {.last = 90}},
+                        {"19_life_in_space", {.first = 0, .last = 59}}};
+    for (const Row& row : rows)
+        for (const int frame : {1, 7, 60}) {
+            ShotFrame shown = row.animation;
+            shown.frame = std::min(frame, shown.last);
+            const Shot shot{.scene = fs::path(PROXIMA_EXAMPLES) / (std::string(row.scene) + ".scn"),
+                            .width = 160,
+                            .height = 120,
+                            .frame = shown};
+            CAPTURE(row.scene);
+            CAPTURE(shown.frame);
+            const std::string name = row.scene;
+            const Picture16 reference = povray_picture(shot, name + ".povray.frame.png");
+            const Difference exact = compare(reference, proxima_picture(shot, name + ".double.frame.png", "double"), 2);
+            for (size_t i = 0; i < std::min<size_t>(exact.over.size(), 10); ++i)
+                MESSAGE(name << ", frame " << shown.frame << ": pixel " << exact.over[i].x << " " << exact.over[i].y
+                             << " is off, the worst by " << exact.largest);
+            CHECK(exact.over.empty());
+            const Difference fast = compare(reference, proxima_picture(shot, name + ".float.frame.png", "float"), 257);
+            CHECK(fast.share_equal8 >= 0.999);
+        }
+}

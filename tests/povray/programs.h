@@ -5,8 +5,16 @@
 #include "tests/povray/picture.h"
 
 #include <map>
+#include <optional>
 
 namespace proxima::testing {
+
+/// A frame of an animation, as both programs number it.
+struct ShotFrame {
+    int frame = 1;
+    int first = 1, last = 1;
+    bool cyclic = false;
+};
 
 struct Shot {
     std::filesystem::path scene;
@@ -14,6 +22,7 @@ struct Shot {
     int height = 60;
     std::vector<std::string> povray_options{};  ///< added to POV-Ray's command line; later options go first
     std::vector<std::string> proxima_options{}; ///< added to Proxima's
+    std::optional<ShotFrame> frame{};           ///< none: a still at shot_clock
 };
 
 /// Stills are taken at this clock, so that animated scenes are not compared at a symmetric moment only.

@@ -37,6 +37,10 @@ TEST_CASE("animation: clock and clock_delta are POV-Ray's to the bit") {
         {frames(1, 3, 0, 1, true), 2, 0.33333334326744080, 0.333333},
         {frames(1, 3, 0, 1, true), 3, 0.66666668653488159, 0.333333},
         {frames(1234567, 1234568), 1234568, 1.0, 1.0},
+        // The range is rounded to float and its division is not: these tell all other ways apart.
+        {frames(1, 72, 0, 1, true), 60, 0.81944441795349121, 0.0138889},
+        {frames(3, 60, 0.1f, 0.7f), 28, 0.36315786838531494, 0.0105263},
+        {frames(1, 43, -3.3f, 11.7f, true), 6, -1.55581390857696533, 0.348837},
     };
     for (const Row& row : rows) {
         CAPTURE(row.frame);
@@ -65,7 +69,7 @@ TEST_CASE("animation: a frame's moments are the middles of the parts of its expo
     REQUIRE(moments.size() == 4);
     const double steps[] = {-0.375, -0.125, 0.125, 0.375};
     for (size_t i = 0; i < 4; ++i) {
-        CHECK(moments[i].clock == double(float((2 + steps[i]) * double(0.1f))));
+        CHECK(moments[i].clock == double(float((2 + steps[i]) * (1.0 / 10))));
         CHECK(moments[i].frame_number == 3);
         CHECK(moments[i].clock_delta == 0.1);
     }
