@@ -41,6 +41,7 @@ fails "Read-only file system" -o "$D/a.png" --size 32x24
 mount -o remount,rw "$D"
 echo "a folder that may not be written: refused"
 
+mount -o remount,size=64m "$D" # the frames until then must not fill it
 mkdir "$D/gone"
 "$proxima" render "$scene" -o "$D/gone/a.####.png" --frames 1-9999 --size 32x24 --device cpu --progress none \
     2>"$D/error" &
@@ -49,7 +50,7 @@ for _ in $(seq 200); do
     [ -e "$D/gone/a.0001.png" ] && break
     sleep 0.05
 done
-rm -rf "$D/gone" || rm -rf "$D/gone"
+mv "$D/gone" "$D/elsewhere" # at once, unlike removing it while files are made in it
 code=0
 wait $pid || code=$?
 grep -q 'cannot be written: No such file or directory' "$D/error" && [ $code -eq 3 ] || { cat "$D/error"; exit 1; }
