@@ -82,8 +82,9 @@ RenderOptions read_render_options(const CLI::App& command, RenderTexts& texts) {
     options.color = read_color_options(texts.color, options.type, options.movie.has_value());
     options.dither = texts.color.dither;
     options.frame = read_picture_settings(texts, options.scene);
-    options.frame.in_halves = options.type == SampleType::half && !options.movie && !options.report &&
-                              options.color.target == ColorTarget::scene_linear && options.color.look.empty();
+    options.frame.in_halves = options.type == SampleType::half && options.scene.animation.shutter.samples == 1 &&
+                              !options.movie && !options.report && options.color.target == ColorTarget::scene_linear &&
+                              options.color.look.empty();
     options.device = parse_device(texts.device.device);
     options.multi_gpu = read_multi_gpu_options(texts.multi_gpu, options.device);
     options.threads = parse_count("--threads", texts.device.threads, 0, 4096);

@@ -114,6 +114,10 @@ TEST_CASE("motion: blur is the mean of the frame's moments, by programs and by t
         return work.run({"compare", name, "by_programs.png"}).exit_code;
     };
     CHECK(differs("all.02.png") == 0);
+    for (const char* format : {"exr", "tif"}) // halves would be made on the device, frame by frame
+        CHECK(work.render({"a.scn", "-o", std::string("blurred.##.") + format, "--frames", "1-4", "--shutter",
+                           "-0.5:0.5", "--shutter-samples", "4"})
+                  .exit_code == 0);
     REQUIRE(work.render({"a.scn", "-o", "sharp.##.png", "--frames", "1-4", "--subset", "2"}).exit_code == 0);
     CHECK(differs("sharp.02.png") == 4);
 }
