@@ -23,8 +23,9 @@ void combine_moving(MotionOp op, Terms& left, const Terms& right) {
     left = terms_of(left.count, [&](int i) { return apply(op, left.term(i), right.term(i)); });
 }
 
-/// Applies an operation to each pair of terms, after both sides have equally many.
-template <MotionOp op> void combine(Terms& left, Terms right) {
+/// Applies an operation to each pair of terms, after both sides have equally many. Not part of its callers: most of
+/// their calls find no operator, and would save registers for it.
+template <MotionOp op> [[gnu::noinline]] void combine(Terms& left, Terms right) {
     const int count = std::max(left.count, right.count);
     left.promote(count);
     right.promote(count);

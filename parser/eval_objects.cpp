@@ -63,9 +63,8 @@ void Evaluator::sphere(Shape& shape) {
         return;
     }
     PartNodes nodes;
-    shape.spheres.push_back({sphere_numbers(nodes), {}});
-    if ((nodes.vector | nodes.number) != 0)
-        shape.moving_spheres.push_back(nodes);
+    const Sphere<double> numbers = sphere_numbers(nodes);
+    shape.add(numbers, nodes);
 }
 
 /// Centre and radius, and their nodes. The programs for spheres see to it that a radius stays above 0.
@@ -86,19 +85,20 @@ Sphere<double> Evaluator::sphere_numbers(PartNodes& nodes) {
 void Evaluator::sphere_item() {
     const Nesting nesting(*this);
     expect(TokenKind::left_brace);
-    Shape shape;
-    if (identifier<ShapeRef>()) {
-        sphere(shape);
-    } else {
-        PartNodes nodes;
-        const Sphere<double> numbers = sphere_numbers(nodes);
+    const bool is_copy = identifier<ShapeRef>();
+    Sphere<double> numbers;
+    PartNodes nodes;
+    if (!is_copy) {
+        numbers = sphere_numbers(nodes);
         Surface surface;
         if (plain_end(surface))
             return builder_.add_sphere(numbers, nodes, surface, default_texture_);
-        shape.spheres.push_back({numbers, {}});
-        if ((nodes.vector | nodes.number) != 0)
-            shape.moving_spheres.push_back(nodes);
     }
+    Shape shape;
+    if (is_copy)
+        sphere(shape);
+    else
+        shape.add(numbers, nodes);
     object_modifiers(shape, Word::sphere);
     shape.dress_parts();
     builder_.add_shape(shape, default_texture_);

@@ -252,10 +252,10 @@ private:
     Varying moving_number();
     double number() {
         const Token& first = peek();
-        const SourceSpan place = span(first);
+        const TokenProgram* const program = program_; // a macro may lead to another text
         const Varying value = moving_number();
         if (value.node) [[unlikely]]
-            look_at(place, first, value.node);
+            look_at({{program->file, first.offset}, first.length}, first, value.node);
         return value.value;
     }
     Terms vector_of(int count, const char* what);

@@ -160,6 +160,13 @@ struct Shape {
         return spheres.size() * sizeof(spheres[0]) + ellipsoids.size() * sizeof(ellipsoids[0]) +
                planes.size() * sizeof(planes[0]);
     }
+    /// Adds a sphere of these numbers, which have these nodes.
+    void add(const Sphere<double>& sphere, PartNodes nodes) {
+        nodes.part = uint32_t(spheres.size());
+        spheres.push_back({sphere, {}});
+        if ((nodes.vector | nodes.number) != 0)
+            moving_spheres.push_back(nodes);
+    }
     /// Gives the own surface to the parts that lack one.
     void dress_parts();
     /// Takes over the parts of another object, which have to be dressed.
