@@ -9,8 +9,8 @@
 
 namespace proxima {
 
-/// Blocks of threads that share a multiprocessor while rays are on their way; 40 registers each. 10 to 16 are equally
-/// fast on an H100, and 1 is half as fast: see tests/bench/NOTES.md.
+/// Blocks of threads that share a multiprocessor while rays are on their way; 40 registers each. 10, 12 and 16 are
+/// equally fast on an H100: see tests/bench/NOTES.md.
 inline constexpr uint32_t most_blocks = 12;
 
 /// A pass over a wave of pixels in tiled order; one sample of each.

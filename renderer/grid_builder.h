@@ -77,9 +77,12 @@ public:
             return true;
         const GridCounts counts = seen_counts_.value();
         const bool whole = counts.links <= links_.size() && counts.bricks <= brick_room_;
-        if (!whole && counts.links > link_budget() && cells_ > 1)
-            most_voxels_ = std::max<uint64_t>(cells_ / 4, 1);
+        const uint64_t most_links_now = link_budget();
+        if (!whole && counts.links > most_links_now && !is_coarsest_)
+            most_voxels_ = std::max<uint64_t>(std::min(most_voxels_, cells_) / 4, 1); // whole bricks may be more
         link_room_ = counts.links + counts.links / 8;
+        if (!is_coarsest_) // otherwise there is no way but to ask the device, which may be out of memory then
+            link_room_ = std::min(link_room_, most_links_now);
         brick_room_ = uint32_t(std::min<uint64_t>(counts.bricks + counts.bricks / 8 + 64, 0xfffffffe));
         has_seen_ = whole;
         return whole;
@@ -187,6 +190,7 @@ private:
             most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
         scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
         cells_ = scene.grid.cell_count();
+        is_coarsest_ = (plan.brick > 0 ? scene.grid.cloud.brick_count() : cells_) == 1;
         if (links_.size() < link_room_)
             links_.resize(link_room_);
         scene.grid.links = links_.view();
@@ -223,6 +227,7 @@ private:
     typename Backend::template Receipt<GridCounts> seen_counts_;
     uint32_t bounded_ = 0;
     uint64_t cells_ = 0;
+    bool is_coarsest_ = false; ///< the grid is one voxel, or one brick
     uint64_t link_room_ = 0;
     uint32_t brick_room_ = 0;
     uint64_t most_voxels_ = GridRule{}.most_voxels;

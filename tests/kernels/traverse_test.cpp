@@ -201,3 +201,97 @@ TEST_CASE("traverse: the primitives around a point, with and without a grid") {
         REQUIRE(around(brute, point) == around(grid, point));
     }
 }
+
+namespace {
+
+/// A device with hardly any memory, which is not waited for.
+struct SmallBackend : CpuBackend {
+    static constexpr bool is_immediate = false;
+    uint64_t size = 1 << 20; ///< bytes
+    uint64_t available_memory() { return size - std::min(size, memory().now()); }
+};
+
+SceneView<float> scene_of(const std::vector<Sphere<float>>& spheres, const std::vector<uint32_t>& materials,
+                          const std::vector<Material>& surfaces) {
+    SceneView<float> scene;
+    scene.geometry.spheres = spheres;
+    scene.geometry.sphere_materials = materials;
+    scene.surfaces.materials = surfaces;
+    return scene;
+}
+
+void check_same_hits(const SceneView<float>& brute, const SceneView<float>& grid, RandomNumbers& random) {
+    for (int i = 0; i < 300; ++i) {
+        const Vec3<float> target(float(random(-1, 1)), float(random(-1, 1)), float(random(-1, 1)));
+        const BasedRay<float> ray = rebase(
+            SourcedRay<float>{{{0, 0, -5}, glm::normalize(target - Vec3<float>(0, 0, -5))}, {}}, brute.geometry.bounds);
+        const Hit<float> a = find_nearest(brute, ray, {}, 0.0f, infinity<float>, 0);
+        const Hit<float> b = find_nearest(grid, ray, {}, 0.0f, infinity<float>, 0);
+        REQUIRE((a.t == b.t && a.primitive == b.primitive));
+    }
+}
+
+} // namespace
+
+TEST_CASE("traverse: a grid whose lists do not fit into memory is made coarser, down to one voxel or brick") {
+    RandomNumbers random{std::mt19937(21)};
+    auto spheres = spheres_of<float>(random, 20'000, {1, 1, 1});
+    for (Sphere<float>& sphere : spheres)
+        sphere.radius = 0.2f; // thousands of voxels each
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    for (const uint32_t brick : {0u, 4u})
+        for (const uint64_t memory : {uint64_t(8) << 20, uint64_t(1) << 16}) {
+            CAPTURE(brick);
+            CAPTURE(memory);
+            SmallBackend backend;
+            backend.size = memory;
+            SceneView<float> brute = scene_of(spheres, materials, surfaces);
+            GridBuilder<SmallBackend, float> builder(backend);
+            builder.find_bounds(brute.geometry);
+            SceneView<float> grid = brute;
+            builder.build(grid, {.size = {100, 100, 100}, .brick = brick});
+            if (brick > 0)
+                builder.build_distances(grid);
+            CHECK(builder.is_complete());
+            CHECK(grid.grid.cell_count() < 100 * 100 * 100);
+            const bool is_coarsest = grid.grid.cell_count() == (brick > 0 ? 64 : 1);
+            CHECK((is_coarsest || grid.grid.links.size_bytes() <= memory));
+            check_same_hits(brute, grid, random);
+        }
+}
+
+TEST_CASE("traverse: lists that have grown since the last frame are made once more") {
+    RandomNumbers random{std::mt19937(22)};
+    auto spheres = spheres_of<float>(random, 2'000, {1, 1, 1});
+    for (Sphere<float>& sphere : spheres)
+        sphere.radius = 0.01f;
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    for (const uint32_t brick : {0u, 4u}) {
+        CAPTURE(brick);
+        SmallBackend backend;
+        backend.size = uint64_t(1) << 30;
+        GridBuilder<SmallBackend, float> builder(backend);
+        const GridPlan plan{.size = {40, 40, 40}, .brick = brick};
+        SceneView<float> grid = scene_of(spheres, materials, surfaces);
+        builder.find_bounds(grid.geometry);
+        builder.build(grid, plan);
+        CHECK(builder.is_complete());
+
+        auto grown = spheres;
+        for (Sphere<float>& sphere : grown)
+            sphere.radius = 0.15f;
+        SceneView<float> brute = scene_of(grown, materials, surfaces);
+        builder.find_bounds(brute.geometry);
+        grid = brute;
+        builder.build(grid, plan);
+        CHECK_FALSE(builder.is_complete()); // too little room, as is told after the frame
+        grid = brute;
+        builder.build(grid, plan);
+        if (brick > 0)
+            builder.build_distances(grid);
+        CHECK(builder.is_complete());
+        check_same_hits(brute, grid, random);
+    }
+}
