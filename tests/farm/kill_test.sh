@@ -9,12 +9,10 @@ count=$3
 D=$(mktemp -d /tmp/proxima_kill.XXXXXX)
 trap 'rm -rf "$D"' EXIT
 mkdir "$D/killed" "$D/plain"
-render() ( # FOLDER [OPTION...]; a process of its own, which becomes the renderer: that is who is killed
-    local folder=$1
-    shift
-    exec "$proxima" render "$scene" -o "$D/$folder/f.##.$ending" --frames 1-12 --cyclic --size 320x240 --device cpu \
-        --progress none "$@"
-)
+run_to() { # FOLDER: fills `run` with the command that renders into it
+    run=("$proxima" render "$scene" -o "$D/$1/f.##.$ending" --frames 1-12 --cyclic --size 320x240 --device cpu
+        --progress none)
+}
 RANDOM=7
 endings=(exr png tif jpg)
 kills=0 finished=0 rounds=0
@@ -22,20 +20,28 @@ while [ $kills -lt "$count" ]; do
     ending=${endings[rounds % 4]}
     rm -rf "$D"/killed/* "$D"/killed/.*.tmp "$D"/plain/*
     start=$(date +%s%N)
-    render plain
+    run_to plain
+    "${run[@]}"
     milliseconds=$((($(date +%s%N) - start) / 1000000 + 1))
+    run_to killed
     for _ in 1 2 3 4 5 6; do
-        render killed --skip-existing &
+        "${run[@]}" --skip-existing & # no function in between: $! is the renderer's, not a shell's around it
         pid=$!
         sleep "$(printf '0.%03d' $((RANDOM % milliseconds % 1000)))"
-        if kill -KILL $pid 2>/dev/null; then kills=$((kills + 1)); else finished=$((finished + 1)); fi
-        wait $pid 2>/dev/null || true
+        kill -KILL $pid 2>/dev/null || true
+        status=0
+        wait $pid 2>/dev/null || status=$?
+        case $status in
+        137) kills=$((kills + 1)) ;;
+        0) finished=$((finished + 1)) ;;
+        *) echo "a run ended with $status" && exit 1 ;;
+        esac
         for file in "$D"/killed/f.*; do
             [ -e "$file" ] || continue
             cmp "$file" "$D/plain/${file##*/}"
         done
     done
-    render killed --skip-existing
+    "${run[@]}" --skip-existing
     (cd "$D" && diff -r --exclude='.*.tmp' killed plain)
     rounds=$((rounds + 1))
 done
