@@ -2,10 +2,10 @@
 // A frame, written once for every backend: bounds, grid, trace, resolve, read back. A scene and settings come in; the
 // picture and what it took go out.
 #pragma once
-#include "kernels/half.h"
-#include "renderer/antialiaser.h"
 #include "renderer/cloud_choice.h"
 #include "renderer/device_scene.h"
+#include "renderer/film_reader.h"
+#include "renderer/film_tracer.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_builder.h"
 #include "renderer/grid_copy.h"
@@ -24,10 +24,8 @@ struct BuilderFailed : std::runtime_error {
 template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
-        : backend_(backend), scene_(backend), grid_(backend), antialiaser_(backend), film_(backend), sum_(backend),
-          halves_(backend), repairs_(backend), pending_states_(backend), pending_interiors_(backend),
-          overflows_(backend), hits_(backend), shadows_(backend), choice_(Backend::fewest_for_cloud), clock_(backend),
-          copy_(backend) {}
+        : backend_(backend), scene_(backend), grid_(backend), tracer_(backend), reader_(backend), film_(backend),
+          sum_(backend), choice_(Backend::fewest_for_cloud), clock_(backend), copy_(backend) {}
 
     void set_scene(const SceneProgram& program) {
         scene_.upload(program);
@@ -60,8 +58,6 @@ public:
 private:
     static constexpr uint64_t most_pixels = (1ull << 32) / 3; ///< kernels count samples in 32 bits
     template <class T> using Buffer = typename Backend::template Buffer<T>;
-    using WaitingPrecision = PathPrecision<Real, Features::all>;
-    using WaitingPath = PathState<Real, WaitingPrecision>;
 
     FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) {
         FrameStatistics statistics;
@@ -79,7 +75,7 @@ private:
         }
         if (scene_.take_motion_failure())
             throw MotionUndefined("a sphere");
-        step(FrameStep::read_back, [&] { read_back(settings, film, image, statistics); });
+        step(FrameStep::read_back, [&] { reader_.read(film_, film, settings.in_halves, image, statistics); });
         finish_steps(statistics);
         statistics.peak_device_bytes = backend_.memory().peak();
         return statistics;
@@ -139,7 +135,7 @@ private:
             else if (is_new)
                 build(whole);
             step(FrameStep::trace, [&] {
-                trace(built_, film, settings.antialiasing);
+                tracer_.trace(built_, scene_.needs(), film, settings.antialiasing);
                 backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
             });
             finish_steps(statistics);
@@ -217,12 +213,8 @@ private:
         built_for_.reset();
         film_.free();
         sum_.free();
-        hits_.free();
-        shadows_.free();
-        halves_.free();
-        pending_states_.free();
-        pending_interiors_.free();
-        antialiaser_.free();
+        tracer_.free();
+        reader_.free();
     }
 
     /// A handful of primitives is tested faster than a grid is walked.
@@ -246,132 +238,13 @@ private:
         grid_.build(scene, uses_cloud ? cloud : GridPlan{.size = settings.grid});
     }
 
-    void trace(const SceneView<Real>& scene, const FilmView& film, const Antialiasing& antialiasing) {
-        const auto trace_film = [&](const FilmView& part) { trace(scene, part); };
-        if (antialiasing.method == Antialiasing::Method::blocks || antialiasing.method == Antialiasing::Method::squares)
-            antialiaser_.render(antialiasing, film, trace_film);
-        else
-            trace_film(film);
-    }
-
-    void trace(const SceneView<Real>& scene, const FilmView& film) {
-        trace_features(scene, film);
-        check_overflow();
-    }
-
-    void trace_features(const SceneView<Real>& scene, const FilmView& film) {
-        switch (scene_.needs().features) {
-        case Features::opaque:
-            if (sizeof(Real) == sizeof(float) && scene.lights.size() <= FirstHitPass<Real>::most_lights)
-                return scene.geometry.ellipsoids.empty() ? trace_first_hits<RoundShapes::spheres>(scene, film)
-                                                         : trace_first_hits<RoundShapes::all>(scene, film);
-            return trace_waves<Features::opaque>(scene, film);
-        case Features::mirrors:
-            return trace_waves<Features::mirrors>(scene, film);
-        case Features::all:
-            return trace_waves<Features::all>(scene, film);
-        }
-    }
-
-    /// Traces as many pixels at a time as there is memory for stacks.
-    template <Features features> void trace_waves(const SceneView<Real>& scene, const FilmView& film) {
-        const uint64_t pixels = tiled_pixel_count(film.width, film.height);
-        const uint32_t wave = wave_size(pixels, film.samples);
-        PendingView<Real, PathPrecision<Real, features>> pending;
-        if constexpr (features == Features::all)
-            pending = make_pending(wave);
-        for (uint64_t first = 0; first < pixels; first += wave) {
-            backend_.for_each(uint32_t(std::min<uint64_t>(wave, pixels - first)),
-                              TracePixels<Real, features>{scene, film, pending, first});
-            if (wave < pixels) {
-                backend_.synchronize();
-                end_if_cancelled();
-            }
-        }
-    }
-
-    /// The same for scenes whose paths end at their first surface.
-    template <RoundShapes shapes> void trace_first_hits(const SceneView<Real>& scene, const FilmView& film) {
-        const uint64_t pixels = tiled_pixel_count(film.width, film.height);
-        const uint32_t wave = wave_size(pixels, 1);
-        hits_.resize(wave);
-        shadows_.resize(wave);
-        FirstHitPass<Real> pass{scene, film, hits_.view(), shadows_.view()};
-        for (; pass.first < pixels; pass.first += wave) {
-            const uint32_t count = uint32_t(std::min<uint64_t>(wave, pixels - pass.first));
-            for (pass.sample = 0; pass.sample < film.samples; ++pass.sample) {
-                backend_.for_each(count, FindFirstHits<Real, shapes>{pass});
-                backend_.for_each(count, FindShadows<Real, shapes>{pass});
-                backend_.for_each(count, ShadeFirstHits<Real>{pass});
-            }
-            if (wave < pixels) {
-                backend_.synchronize();
-                end_if_cancelled();
-            }
-        }
-    }
-
-    uint32_t wave_size(uint64_t pixels, uint32_t samples) const {
-        const SceneNeeds& needs = scene_.needs();
-        const uint64_t most = std::max<uint64_t>((1u << 30) / samples, 1u << 18); // a wave can be waited for
-        if (needs.stack_entries == 0)
-            return uint32_t(std::min(pixels, most));
-        const uint64_t entry = sizeof(WaitingPath) + sizeof(uint32_t) * needs.interior_capacity;
-        const uint64_t stack = entry * needs.stack_entries;
-        const uint64_t memory = std::min(Backend::stack_memory, backend_.available_memory() / 4);
-        const uint64_t fitting = std::max<uint64_t>(memory / stack / 1024 * 1024, 1024);
-        return uint32_t(std::min({pixels, fitting, most}));
-    }
-
-    PendingView<Real, WaitingPrecision> make_pending(uint32_t threads) {
-        const SceneNeeds& needs = scene_.needs();
-        pending_states_.resize(size_t(threads) * needs.stack_entries);
-        pending_interiors_.resize(size_t(threads) * needs.stack_entries * needs.interior_capacity);
-        overflows_.resize(1);
-        overflows_.fill_bytes(0);
-        return {.states = pending_states_.view(),
-                .interiors = pending_interiors_.view(),
-                .overflows = overflows_.view(),
-                .interior_capacity = needs.interior_capacity,
-                .threads = threads};
-    }
-
-    void check_overflow() {
-        if (scene_.needs().features == Features::all && overflows_.read(0) > 0)
-            throw DeviceError(DeviceError::Kind::scene, "a ray is inside more than " +
-                                                            std::to_string(InteriorList::capacity) +
-                                                            " transparent objects at once, which is the limit");
-    }
-
-    void read_back(const FrameSettings& settings, const FilmView& film, Image& image, FrameStatistics& statistics) {
-        static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-        image.fit(film.columns(), film.rows(), settings.in_halves);
-        if (!settings.in_halves)
-            return film_.download(reinterpret_cast<glm::vec3*>(image.row(film.first_row)));
-        const std::span<const float> samples(&film.pixels.data()->x, film.pixels.size() * 3);
-        halves_.resize(samples.size());
-        repairs_.resize(1);
-        repairs_.fill_bytes(0);
-        backend_.for_each(uint32_t(samples.size()), HalveSamples{samples, halves_.view(), repairs_.view()});
-        halves_.download(image.row_of_halves(film.first_row));
-        const SampleRepairs repairs = repairs_.read(0);
-        statistics.replaced_samples = repairs.replaced;
-        statistics.clamped_samples = repairs.clamped;
-    }
-
     Backend& backend_;
     DeviceScene<Backend, Real> scene_;
     GridBuilder<Backend, Real> grid_;
-    Antialiaser<Backend> antialiaser_;
+    FilmTracer<Backend, Real> tracer_;
+    FilmReader<Backend> reader_;
     Buffer<glm::vec3> film_;
     Buffer<glm::vec3> sum_; ///< of exposures
-    Buffer<uint16_t> halves_;
-    Buffer<SampleRepairs> repairs_;
-    Buffer<WaitingPath> pending_states_;
-    Buffer<uint32_t> pending_interiors_;
-    Buffer<uint32_t> overflows_;
-    Buffer<Hit<Real>> hits_;
-    Buffer<uint32_t> shadows_;
     CloudChoice choice_;
     StepWatch* watch_ = nullptr;
     StepClock<Backend> clock_;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Traces a film on a backend: by the smallest kernels that do all that the scene has, as many pixels at a time as there
+// is memory for. A scene with its grid and a film come in; the film's sums of samples go out.
+#pragma once
+#include "kernels/first_hit.h"
+#include "renderer/antialiaser.h"
+#include "renderer/device_error.h"
+#include "renderer/frame_renderer.h"
+#include "renderer/scene_needs.h"
+
+#include <algorithm>
+#include <string>
+
+namespace proxima {
+
+template <class Backend, class Real> class FilmTracer {
+public:
+    explicit FilmTracer(Backend& backend)
+        : backend_(backend), antialiaser_(backend), pending_states_(backend), pending_interiors_(backend),
+          overflows_(backend), hits_(backend), shadows_(backend) {}
+
+    /// Starts to trace; pictures with several waves of pixels are waited for, and end by FrameCancelled.
+    void trace(const SceneView<Real>& scene, const SceneNeeds& needs, const FilmView& film,
+               const Antialiasing& antialiasing) {
+        needs_ = needs;
+        const auto trace_film = [&](const FilmView& part) { trace_pixels(scene, part); };
+        if (antialiasing.method == Antialiasing::Method::blocks || antialiasing.method == Antialiasing::Method::squares)
+            antialiaser_.render(antialiasing, film, trace_film);
+        else
+            trace_film(film);
+    }
+
+    /// Gives back the memory that grows with the picture.
+    void free() {
+        antialiaser_.free();
+        pending_states_.free();
+        pending_interiors_.free();
+        hits_.free();
+        shadows_.free();
+    }
+
+private:
+    template <class T> using Buffer = typename Backend::template Buffer<T>;
+    using WaitingPrecision = PathPrecision<Real, Features::all>;
+    using WaitingPath = PathState<Real, WaitingPrecision>;
+
+    void trace_pixels(const SceneView<Real>& scene, const FilmView& film) {
+        trace_features(scene, film);
+        check_overflow();
+    }
+
+    void trace_features(const SceneView<Real>& scene, const FilmView& film) {
+        switch (needs_.features) {
+        case Features::opaque:
+            if (sizeof(Real) == sizeof(float) && scene.lights.size() <= FirstHitPass<Real>::most_lights)
+                return scene.geometry.ellipsoids.empty() ? trace_first_hits<RoundShapes::spheres>(scene, film)
+                                                         : trace_first_hits<RoundShapes::all>(scene, film);
+            return trace_waves<Features::opaque>(scene, film);
+        case Features::mirrors:
+            return trace_waves<Features::mirrors>(scene, film);
+        case Features::all:
+            return trace_waves<Features::all>(scene, film);
+        }
+    }
+
+    /// Traces as many pixels at a time as there is memory for stacks.
+    template <Features features> void trace_waves(const SceneView<Real>& scene, const FilmView& film) {
+        const uint64_t pixels = tiled_pixel_count(film.width, film.height);
+        const uint32_t wave = wave_size(pixels, film.samples);
+        PendingView<Real, PathPrecision<Real, features>> pending;
+        if constexpr (features == Features::all)
+            pending = make_pending(wave);
+        for (uint64_t first = 0; first < pixels; first += wave) {
+            backend_.for_each(uint32_t(std::min<uint64_t>(wave, pixels - first)),
+                              TracePixels<Real, features>{scene, film, pending, first});
+            if (wave < pixels)
+                wait();
+        }
+    }
+
+    /// The same for scenes whose paths end at their first surface.
+    template <RoundShapes shapes> void trace_first_hits(const SceneView<Real>& scene, const FilmView& film) {
+        const uint64_t pixels = tiled_pixel_count(film.width, film.height);
+        const uint32_t wave = wave_size(pixels, 1);
+        hits_.resize(wave);
+        shadows_.resize(wave);
+        FirstHitPass<Real> pass{scene, film, hits_.view(), shadows_.view()};
+        for (; pass.first < pixels; pass.first += wave) {
+            const uint32_t count = uint32_t(std::min<uint64_t>(wave, pixels - pass.first));
+            for (pass.sample = 0; pass.sample < film.samples; ++pass.sample) {
+                backend_.for_each(count, FindFirstHits<Real, shapes>{pass});
+                backend_.for_each(count, FindShadows<Real, shapes>{pass});
+                backend_.for_each(count, ShadeFirstHits<Real>{pass});
+            }
+            if (wave < pixels)
+                wait();
+        }
+    }
+
+    uint32_t wave_size(uint64_t pixels, uint32_t samples) const {
+        const uint64_t most = std::max<uint64_t>((1u << 30) / samples, 1u << 18); // a wave can be waited for
+        if (needs_.stack_entries == 0)
+            return uint32_t(std::min(pixels, most));
+        const uint64_t entry = sizeof(WaitingPath) + sizeof(uint32_t) * needs_.interior_capacity;
+        const uint64_t stack = entry * needs_.stack_entries;
+        const uint64_t memory = std::min(Backend::stack_memory, backend_.available_memory() / 4);
+        const uint64_t fitting = std::max<uint64_t>(memory / stack / 1024 * 1024, 1024);
+        return uint32_t(std::min({pixels, fitting, most}));
+    }
+
+    PendingView<Real, WaitingPrecision> make_pending(uint32_t threads) {
+        pending_states_.resize(size_t(threads) * needs_.stack_entries);
+        pending_interiors_.resize(size_t(threads) * needs_.stack_entries * needs_.interior_capacity);
+        overflows_.resize(1);
+        overflows_.fill_bytes(0);
+        return {.states = pending_states_.view(),
+                .interiors = pending_interiors_.view(),
+                .overflows = overflows_.view(),
+                .interior_capacity = needs_.interior_capacity,
+                .threads = threads};
+    }
+
+    void check_overflow() {
+        if (needs_.features == Features::all && overflows_.read(0) > 0)
+            throw DeviceError(DeviceError::Kind::scene, "a ray is inside more than " +
+                                                            std::to_string(InteriorList::capacity) +
+                                                            " transparent objects at once, which is the limit");
+    }
+
+    void wait() {
+        backend_.synchronize();
+        if (backend_.is_cancelled())
+            throw FrameCancelled();
+    }
+
+    Backend& backend_;
+    SceneNeeds needs_; ///< of the scene that is being traced
+    Antialiaser<Backend> antialiaser_;
+    Buffer<WaitingPath> pending_states_;
+    Buffer<uint32_t> pending_interiors_;
+    Buffer<uint32_t> overflows_;
+    Buffer<Hit<Real>> hits_;
+    Buffer<uint32_t> shadows_;
+};
+
+} // namespace proxima
