@@ -58,10 +58,10 @@ template <class Real> Fog<Real> convert(const Fog<double>& f) {
 template <class Backend, class Real> class DeviceScene {
 public:
     explicit DeviceScene(Backend& backend)
-        : motion_(backend), shapes_(backend), exact_(backend), sphere_materials_(backend), materials_(backend),
-          layers_(backend), pigments_(backend), patterns_(backend), color_stops_(backend), finishes_(backend),
-          interiors_(backend), transforms_(backend), lights_(backend), area_lights_(backend), area_samples_(backend),
-          sky_pigments_(backend), fogs_(backend) {}
+        : motion_(backend), shapes_(backend), exact_(backend), device_order_(backend), sphere_materials_(backend),
+          materials_(backend), layers_(backend), pigments_(backend), patterns_(backend), color_stops_(backend),
+          finishes_(backend), interiors_(backend), transforms_(backend), lights_(backend), area_lights_(backend),
+          area_samples_(backend), sky_pigments_(backend), fogs_(backend) {}
 
     void upload(const SceneProgram& scene) {
         view_ = {};
@@ -100,6 +100,13 @@ public:
     /// Without grid, limits and large primitives: the frame adds them.
     const SceneView<Real>& view() const { return view_; }
     const SceneNeeds& needs() const { return needs_; }
+    /// Of each of the device's spheres, its place in the scene; empty where they are the same. Goes to the device when
+    /// it is asked for first.
+    std::span<const uint32_t> sphere_order() {
+        if (device_order_.size() != order_.size())
+            device_order_.upload(order_.size(), [&](size_t i) { return order_[i]; });
+        return device_order_.view();
+    }
     FilmCurve curve() const { return curve_; }
     float gamma() const { return gamma_; }
 
@@ -116,8 +123,9 @@ private:
     };
 
     void upload_spheres(const SceneProgram& scene) {
-        const std::vector<uint32_t> order = spatial_order(scene);
-        const auto original = [&](size_t i) { return order.empty() ? i : order[i]; };
+        order_ = spatial_order(scene);
+        device_order_.resize(0);
+        const auto original = [&](size_t i) { return order_.empty() ? i : order_[i]; };
         const auto upload = [&]<class R>(Buffer<Sphere<R>>& spheres) {
             spheres.upload(scene.spheres.size(), [&](size_t i) { return convert<R>(scene.spheres[original(i)]); });
         };
@@ -129,7 +137,7 @@ private:
         else
             exact_.spheres.resize(0);
         sphere_materials_.upload(scene.spheres.size(), [&](size_t i) { return scene.sphere_materials[original(i)]; });
-        motion_.upload(scene.motion, order);
+        motion_.upload(scene.motion, order_);
     }
 
     void upload_tables(const SceneTables& scene) {
@@ -204,6 +212,8 @@ private:
     Shapes<double> exact_; ///< SceneView::exact
     bool has_exact_ = false;
     uint32_t sphere_count_ = 0;
+    std::vector<uint32_t> order_; ///< see sphere_order
+    Buffer<uint32_t> device_order_;
     Buffer<uint32_t> sphere_materials_;
     Buffer<Material> materials_;
     Buffer<Layer> layers_;

@@ -15,11 +15,11 @@ public:
     explicit FilmReader(Backend& backend) : backend_(backend), halves_(backend), repairs_(backend) {}
 
     /// Fills the band of the image that the film is.
-    void read(Buffer<glm::vec3>& pixels, const FilmView& film, bool in_halves, Image& image,
+    void read(Buffer<glm::vec3>& pixels, const FilmView& film, const FrameSettings& settings, Image& image,
               FrameStatistics& statistics) {
         static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-        image.fit(film.columns(), film.rows(), in_halves);
-        if (!in_halves)
+        image.fit(film.columns(), film.rows(), settings.in_halves, settings.aovs.any());
+        if (!settings.in_halves)
             return pixels.download(reinterpret_cast<glm::vec3*>(image.row(film.first_row)));
         const std::span<const float> samples(&film.pixels.data()->x, film.pixels.size() * 3);
         halves_.resize(samples.size());

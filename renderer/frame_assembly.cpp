@@ -12,7 +12,7 @@ Image& FrameAssembly::image(FrameWriter& writer, const FrameSettings& settings, 
     if (!image_) {
         image_ = writer.take_image();
         const bool is_used_again = image_->bytes() > 0;
-        image_->fit(settings.width, settings.height, settings.in_halves);
+        image_->fit(settings.width, settings.height, settings.in_halves, settings.aovs.any());
         if (is_used_again)
             renderer.lock_pages(*image_);
     }

@@ -81,7 +81,8 @@ ImageFileSettings FrameFinisher::file_settings(const FrameRecord& record) const 
     ImageFileSettings settings{.format = options_.output->format(),
                                .type = options_.type,
                                .compression = options_.compression,
-                               .dither = options_.dither};
+                               .dither = options_.dither,
+                               .layers = options_.frame.aovs};
     ImageFacts& facts = settings.facts;
     facts.scene = options_.scene.scene.filename().string();
     facts.hash = record.hash;

@@ -14,14 +14,27 @@ std::string bits(double value) {
     return fmt::format("{:x}", std::bit_cast<uint64_t>(value));
 }
 
+std::string describe_layers(const FrameSettings& settings) {
+    const auto& [depth, normal, id, steps] = settings.aovs;
+    if (!settings.aovs.any())
+        return {};
+    const std::string layers = fmt::format(" layers {} {} {} {}", depth, normal, id, steps);
+    const auto& grid = settings.grid;
+    return steps ? fmt::format("{} by {} {} {} {} {} {}", layers, int(settings.accelerator), grid[0], grid[1], grid[2],
+                               int(settings.metric), settings.brick)
+                 : layers;
+}
+
 std::string describe(const FrameSettings& settings) {
     // How many members there are: a new one stops the compilation here. Does it change the picture? Then it belongs
-    // into the text below; rows, in_halves, accelerator, grid, metric and brick do not.
-    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12] = settings;
+    // into the text below; rows, in_halves, accelerator, grid, metric and brick do not, but for the layer that counts
+    // steps.
+    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13] = settings;
     const Antialiasing& antialiasing = settings.antialiasing;
     return fmt::format("size {}x{} samples {} antialias {} {} {} precision {} tolerances {}", settings.width,
                        settings.height, settings.samples, int(antialiasing.method), bits(antialiasing.threshold),
-                       antialiasing.depth, int(settings.precision), int(settings.tolerances));
+                       antialiasing.depth, int(settings.precision), int(settings.tolerances)) +
+           describe_layers(settings);
 }
 
 std::string describe(const Shutter& shutter) {

@@ -2,6 +2,7 @@
 // A frame, written once for every backend: bounds, grid, trace, resolve, read back. A scene and settings come in; the
 // picture and what it took go out.
 #pragma once
+#include "renderer/aov_tracer.h"
 #include "renderer/cloud_choice.h"
 #include "renderer/device_scene.h"
 #include "renderer/film_reader.h"
@@ -24,8 +25,8 @@ struct BuilderFailed : std::runtime_error {
 template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
-        : backend_(backend), scene_(backend), grid_(backend), tracer_(backend), reader_(backend), film_(backend),
-          sum_(backend), choice_(Backend::fewest_for_cloud), clock_(backend), copy_(backend) {}
+        : backend_(backend), scene_(backend), grid_(backend), tracer_(backend), aovs_(backend), reader_(backend),
+          film_(backend), sum_(backend), choice_(Backend::fewest_for_cloud), clock_(backend), copy_(backend) {}
 
     void set_scene(const SceneProgram& program) {
         scene_.upload(program);
@@ -69,13 +70,20 @@ private:
             if (!times.empty())
                 move(times[exposure]);
             expose(settings, film, statistics);
+            if (settings.aovs.any() && exposure == exposures / 2)
+                step(FrameStep::trace,
+                     [&] { aovs_.trace(built_, scene_.needs().features, film, scene_.sphere_order()); });
             if (exposures > 1)
                 backend_.for_each(uint32_t(film.pixels.size()),
                                   AverageExposures{film.pixels, sum_.view(), exposure, exposures});
         }
         if (scene_.take_motion_failure())
             throw MotionUndefined("a sphere");
-        step(FrameStep::read_back, [&] { reader_.read(film_, film, settings.in_halves, image, statistics); });
+        step(FrameStep::read_back, [&] {
+            reader_.read(film_, film, settings, image, statistics);
+            if (settings.aovs.any())
+                aovs_.read(film, image);
+        });
         finish_steps(statistics);
         statistics.peak_device_bytes = backend_.memory().peak();
         return statistics;
@@ -214,6 +222,7 @@ private:
         film_.free();
         sum_.free();
         tracer_.free();
+        aovs_.free();
         reader_.free();
     }
 
@@ -232,6 +241,8 @@ private:
                              .brick = settings.brick ? settings.brick : 4,
                              .metric = settings.metric};
         const bool chooses = settings.accelerator == Accelerator::automatic && settings.grid[0] == 0;
+        if (settings.aovs.steps) // then the choice is seen in the file, and must not depend on the frames before
+            choice_ = CloudChoice(Backend::fewest_for_cloud);
         if (chooses && choice_.is_due(scene.geometry.round_count()))
             choice_.report(grid_.mean_distance(scene, cloud));
         const bool uses_cloud = settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud());
@@ -242,6 +253,7 @@ private:
     DeviceScene<Backend, Real> scene_;
     GridBuilder<Backend, Real> grid_;
     FilmTracer<Backend, Real> tracer_;
+    AovTracer<Backend, Real> aovs_;
     FilmReader<Backend> reader_;
     Buffer<glm::vec3> film_;
     Buffer<glm::vec3> sum_; ///< of exposures

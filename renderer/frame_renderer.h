@@ -2,6 +2,7 @@
 // A device that renders frames: what the rest of the renderer knows of a backend. One virtual call a frame; everything
 // behind it is one template (frame_pipeline.h).
 #pragma once
+#include "kernels/aov_sample.h"
 #include "kernels/cloud.h"
 #include "kernels/motion.h"
 #include "parser/scene_program.h"
@@ -48,6 +49,7 @@ struct FrameSettings {
     uint32_t height = 480;
     Rows rows;              ///< what of the picture to render: the numbers are the same however it is cut
     bool in_halves = false; ///< the image gets half-floats, rounded and repaired on the device: see HalveSamples
+    AovLayers aovs;         ///< if any, the image gets a sample of all of them a pixel
     uint32_t samples = 1;   ///< rays a pixel; 1 is the pixel's centre
     Antialiasing antialiasing;
     Precision precision = Precision::float32;
@@ -120,8 +122,9 @@ public:
     /// Renders the scene into `image`, which is resized to the whole picture unless it fits; of it, the rows that the
     /// settings ask for. Bands of one moment, one after the other, share what is built for it. `settings.precision`
     /// must be the scene's. `times` are
-    /// the moments that are shown, one or more; with several, the picture is their mean in linear light. For a scene
-    /// without motion programs it may be empty. Throws MotionUndefined, after which the renderer may be used again.
+    /// the moments that are shown, one or more; with several, the picture is their mean in linear light, and its layers
+    /// are those of the middle one. For a scene without motion programs it may be empty. Throws MotionUndefined, after
+    /// which the renderer may be used again.
     virtual FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) = 0;
     /// The same for a scene as the script was evaluated.
     FrameStatistics render(const FrameSettings& settings, Image& image) { return render(settings, {}, image); }

@@ -186,7 +186,11 @@ FrameStatistics FrameScheduler::render_scenes(RenderWorker& worker, FrameTask& t
             worker.renderer->set_scene(*programs[i], config_.settings.precision);
             held = programs[i];
         }
-        statistics.add(render_rows(worker, task, programs.size() > 1 ? mean.next() : image));
+        FrameSettings settings = config_.settings;
+        if (i != programs.size() / 2) // the layers are those of the middle of the shutter
+            settings.aovs = {};
+        statistics.add(
+            render_rows(worker, settings.with_rows(task.rows), task, programs.size() > 1 ? mean.next() : image));
         if (programs.size() > 1)
             mean.add(config_.settings.with_rows(task.rows).band());
     }
@@ -196,8 +200,8 @@ FrameStatistics FrameScheduler::render_scenes(RenderWorker& worker, FrameTask& t
 }
 
 /// The task's rows, as many at a time as the device has had memory for.
-FrameStatistics FrameScheduler::render_rows(RenderWorker& worker, FrameTask& task, Image& image) {
-    const FrameSettings settings = config_.settings.with_rows(task.rows);
+FrameStatistics FrameScheduler::render_rows(RenderWorker& worker, const FrameSettings& settings, FrameTask& task,
+                                            Image& image) {
     if (worker.most_rows == 0)
         return worker.renderer->render(settings, task.scenes.moments, image);
     FrameStatistics statistics;

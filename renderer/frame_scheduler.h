@@ -59,7 +59,7 @@ private:
     void render(size_t number, RenderWorker& worker, FrameTask& task, HeldScene& held);
     void hand_over(FinishedFrame frame);
     FrameStatistics render_scenes(RenderWorker& worker, FrameTask& task, HeldScene& held, Image& image);
-    FrameStatistics render_rows(RenderWorker& worker, FrameTask& task, Image& image);
+    FrameStatistics render_rows(RenderWorker& worker, const FrameSettings& settings, FrameTask& task, Image& image);
     bool render_smaller(RenderWorker& worker, const FrameTask& task);
     void cancel_frames();
     void report(const RenderWorker& worker, const std::optional<FrameTask>& task, const DeviceError& error);

@@ -18,11 +18,12 @@ constexpr uint64_t max_samples = uint64_t(1) << 33;
     throw std::runtime_error(reason);
 }
 
-SampleType sample_type(const OIIO::ImageSpec& spec) {
-    if (std::any_of(spec.channelformats.begin(), spec.channelformats.end(),
-                    [&](const OIIO::TypeDesc& type) { return type != spec.format; }))
+/// Of the chosen channels; those beside them may be of any type.
+SampleType sample_type(const OIIO::ImageSpec& spec, const std::vector<int>& chosen) {
+    const OIIO::TypeDesc first = spec.channelformat(chosen.front());
+    if (std::any_of(chosen.begin(), chosen.end(), [&](int channel) { return spec.channelformat(channel) != first; }))
         refuse("its channels are of different types");
-    switch (spec.format.basetype) {
+    switch (first.basetype) {
     case OIIO::TypeDesc::UINT8:
         return SampleType::uint8;
     case OIIO::TypeDesc::UINT16:
@@ -32,7 +33,7 @@ SampleType sample_type(const OIIO::ImageSpec& spec) {
     case OIIO::TypeDesc::FLOAT:
         return SampleType::float32;
     default:
-        refuse(std::string("its samples are of type ") + spec.format.c_str() +
+        refuse(std::string("its samples are of type ") + first.c_str() +
                "; only 8 and 16 bits, half and float are compared");
     }
 }
@@ -79,11 +80,10 @@ std::string frame_hash(const OIIO::ImageSpec& spec) {
     return is_hash ? hash : std::string();
 }
 
-/// All samples as floats: levels of 8 and 16 bits exactly, the numbers of half and float as they are.
-std::vector<float> read_samples(OIIO::ImageInput& input, SampleType type) {
-    const OIIO::ImageSpec spec = input.spec();
-    std::vector<float> samples(size_t(spec.image_pixels()) * size_t(spec.nchannels));
-    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.data()) || input.has_error())
+/// The first channels' samples as floats: levels of 8 and 16 bits exactly, the numbers of half and float as they are.
+std::vector<float> read_samples(OIIO::ImageInput& input, SampleType type, int channels) {
+    std::vector<float> samples(size_t(input.spec().image_pixels()) * size_t(channels));
+    if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, samples.data()) || input.has_error())
         refuse(input.geterror());
     if (!is_scene_linear(type))
         for (float& sample : samples)
@@ -103,7 +103,7 @@ StoredImage decode(const std::string& path) {
     StoredImage image{.width = uint32_t(spec.width),
                       .height = uint32_t(spec.height),
                       .channels = uint32_t(chosen.size()),
-                      .type = sample_type(spec),
+                      .type = sample_type(spec, chosen),
                       .encoding = spec.get_string_attribute("oiio:ColorSpace")};
     image.hash = frame_hash(spec);
     if (image.encoding == "GammaCorrected")
@@ -112,14 +112,15 @@ StoredImage decode(const std::string& path) {
         if (std::find(chosen.begin(), chosen.end(), i) == chosen.end())
             image.ignored_channels.push_back(spec.channel_name(i));
 
-    const std::vector<float> all = read_samples(*input, image.type);
+    const int channels = 1 + *std::max_element(chosen.begin(), chosen.end());
+    const std::vector<float> all = read_samples(*input, image.type, channels);
     if (input->seek_subimage(1, 0))
         refuse("it holds more than one picture");
     const size_t pixels = size_t(image.width) * image.height;
     image.samples.reserve(pixels * chosen.size());
     for (size_t pixel = 0; pixel < pixels; ++pixel)
         for (const int channel : chosen)
-            image.samples.push_back(all[pixel * size_t(spec.nchannels) + size_t(channel)]);
+            image.samples.push_back(all[pixel * size_t(channels) + size_t(channel)]);
     return image;
 }
 

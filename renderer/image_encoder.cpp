@@ -3,6 +3,7 @@
 // process on one.
 #include "renderer/image_encoder.h"
 #include "renderer/image_header.h"
+#include "renderer/layered_pixels.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <stdexcept>
@@ -55,9 +56,12 @@ std::vector<unsigned char> encode(const EncodeRequest& request) {
     const auto output = make_output(request.format, memory);
     check(output->open(file_name_of(request.format), describe(request)), *output);
     const bool is_float = is_scene_linear(request.type) && !request.samples_are_halves;
-    check(output->write_image(is_float ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : file_type(request.type),
-                              request.samples),
-          *output);
+    if (request.layers.any())
+        check(output->write_image(OIIO::TypeDesc::UNKNOWN, layered_pixels(request).data()), *output);
+    else
+        check(output->write_image(is_float ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : file_type(request.type),
+                                  request.samples),
+              *output);
     check(output->close(), *output);
     return bytes;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The writing half of the image module, see image_module.h.
 #pragma once
+#include "kernels/aov_sample.h"
 #include "renderer/frame_rate.h"
 #include "renderer/output_name.h"
 
@@ -36,6 +37,8 @@ struct EncodeRequest {
     uint32_t height = 0;
     const void* samples = nullptr;   ///< uint8_t, uint16_t, or float (for half and float32)
     bool samples_are_halves = false; ///< bits of half-floats, instead of floats
+    AovLayers layers{};              ///< of EXR
+    const AovSample* aovs = nullptr; ///< one a pixel, if there are layers
     ImageFacts facts{};
 };
 

@@ -39,6 +39,7 @@ EncodeRequest request_for(uint32_t width, uint32_t height, const ImageFileSettin
                           .compression = settings.compression,
                           .width = width,
                           .height = height,
+                          .layers = settings.layers,
                           .facts = settings.facts};
     request.facts.software = "Proxima " PROXIMA_VERSION;
     return request;
@@ -78,6 +79,7 @@ std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageF
     case SampleType::float32:
         break;
     }
+    request.aovs = image.aovs.data();
     request.samples_are_halves = !image.halves.empty();
     request.samples = request.samples_are_halves ? static_cast<const void*>(image.halves.data()) : image.rgb.data();
     return encode(request);

@@ -25,6 +25,7 @@ struct ImageFileSettings {
     SampleType type = SampleType::uint8;
     Compression compression = Compression::zip;
     bool dither = false; ///< see quantize_to_bytes
+    AovLayers layers{};  ///< of EXR: channels beside the picture's, from Image::aovs
     ImageFacts facts{};  ///< `software` is this program
 };
 

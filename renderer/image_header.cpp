@@ -63,6 +63,28 @@ void add_typed_facts(OIIO::ImageSpec& spec, const ImageFacts& facts) {
         spec.attribute("worldToNDC", matrix, facts.world_to_ndc->data());
 }
 
+/// A channel for each number of each layer. Z is OpenEXR's own name for a depth, and N.X to N.Z are pbrt's for a
+/// normal; OpenEXR's documentation has 32-bit floats for depths and integers for the numbers of objects.
+void add_layers(OIIO::ImageSpec& spec, const AovLayers& layers) {
+    const auto add = [&](const char* name, OIIO::TypeDesc type) {
+        spec.channelnames.emplace_back(name);
+        spec.channelformats.push_back(type);
+    };
+    spec.channelformats.assign(3, spec.format);
+    if (layers.depth)
+        add("Z", OIIO::TypeDesc::FLOAT);
+    if (layers.normal)
+        for (const char* name : {"N.X", "N.Y", "N.Z"})
+            add(name, spec.format);
+    if (layers.id)
+        add("id", OIIO::TypeDesc::UINT);
+    if (layers.steps)
+        add("steps", OIIO::TypeDesc::FLOAT); // of integers, OpenImageIO's tools show fractions of 2^32
+    spec.nchannels = int(spec.channelnames.size());
+    if (layers.depth)
+        spec.z_channel = 3;
+}
+
 /// For formats that know texts alone.
 std::string sentence(const ImageFacts& facts) {
     return "frame " + std::to_string(facts.frame) + " of " + facts.scene + ", hash " + facts.hash;
@@ -116,6 +138,8 @@ OIIO::ImageSpec describe(const EncodeRequest& request) {
     case ImageFormat::exr:
         spec.attribute("compression", name_of(request.compression));
         add_typed_facts(spec, facts);
+        if (request.layers.any())
+            add_layers(spec, request.layers);
         break;
     case ImageFormat::png:
         spec.attribute("png:compressionLevel", png_compression);

@@ -133,6 +133,20 @@ std::pair<double, double> parse_shutter(std::string_view text) {
     return {*open, *close};
 }
 
+AovLayers parse_layers(std::string_view text) {
+    static const std::map<std::string, bool AovLayers::*> choices{{"depth", &AovLayers::depth},
+                                                                  {"normal", &AovLayers::normal},
+                                                                  {"id", &AovLayers::id},
+                                                                  {"steps", &AovLayers::steps}};
+    AovLayers layers;
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find(',', begin), text.size());
+        layers.*parse_choice("--aov", std::string(text.substr(begin, end - begin)), choices) = true;
+        begin = end + 1;
+    }
+    return layers;
+}
+
 double parse_tolerance(std::string_view text) {
     const size_t slash = std::min(text.find('/'), text.size());
     const auto above = read_number<double>(text.substr(0, slash));

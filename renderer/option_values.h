@@ -38,6 +38,9 @@ ClockValues parse_clock(std::string_view text);
 /// OPEN:CLOSE of --shutter; it does not close before it opens.
 std::pair<double, double> parse_shutter(std::string_view text);
 
+/// "depth,normal,id,steps" or some of them.
+AovLayers parse_layers(std::string_view text);
+
 /// "0.01" or "2/65535": from 0.
 double parse_tolerance(std::string_view text);
 

@@ -56,6 +56,10 @@ void add_format_options(CLI::App& command, OutputTexts& texts) {
                     "Of .exr: zip, zips, piz, none, or dwaa, which loses a little [zip]")
         ->type_name("C");
     command
+        .add_option("--aov", texts.aov,
+                    "Layers in the .exr too, some of depth,normal,id,steps: channels Z, N.X N.Y N.Z, id, steps")
+        ->type_name("LIST");
+    command
         .add_option("--fps", texts.fps,
                     "Frames a second, for --movie, .gif and .exr headers: 24, 29.97, 30000/1001 [24]")
         ->type_name("F");
@@ -117,6 +121,19 @@ void read_output_options(const OutputTexts& texts, bool is_part, RenderOptions& 
         options.timeline = texts.timeline;
     if (!texts.report.empty())
         options.report = texts.report;
+}
+
+AovLayers read_layers(const OutputTexts& texts, const RenderOptions& options) {
+    if (texts.aov.empty())
+        return {};
+    const AovLayers layers = parse_layers(texts.aov);
+    if (options.output->format() != ImageFormat::exr)
+        throw UsageError(fmt::format("--aov {}: only .exr files hold layers; write -o OUT.exr", texts.aov));
+    if (layers.normal && options.compression == Compression::dwaa)
+        throw UsageError(fmt::format("--aov {}: dwaa takes N.Y for a luminance and loses a part of it; choose another "
+                                     "--compression, or leave normal out",
+                                     texts.aov));
+    return layers;
 }
 
 } // namespace proxima

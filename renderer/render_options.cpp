@@ -82,6 +82,7 @@ RenderOptions read_render_options(const CLI::App& command, RenderTexts& texts) {
     options.color = read_color_options(texts.color, options.type, options.movie.has_value());
     options.dither = texts.color.dither;
     options.frame = read_picture_settings(texts, options.scene);
+    options.frame.aovs = read_layers(texts.output, options);
     options.frame.in_halves = options.type == SampleType::half && options.scene.animation.shutter.samples == 1 &&
                               !options.movie && !options.report && options.color.target == ColorTarget::scene_linear &&
                               options.color.look.empty();

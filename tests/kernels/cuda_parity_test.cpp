@@ -42,6 +42,36 @@ TEST_CASE("cuda: every pixel shows what the CPU shows") {
         }
 }
 
+TEST_CASE("cuda: layers are those of the CPU") {
+    const auto cpu = make_cpu_renderer(0);
+    const auto cuda = make_cuda_renderer(0);
+    for (const Precision precision : {Precision::float32, Precision::float64})
+        for (const bool mirrors : {false, true}) {
+            const SceneProgram scene = random_scene(31, {.spheres = 60000, .radius = 0.03, .mirrors = mirrors});
+            FrameSettings settings;
+            settings.width = 320;
+            settings.height = 240;
+            settings.precision = precision;
+            settings.accelerator = Accelerator::cloud;
+            settings.aovs = {true, true, true, true};
+            const Image a = render(*cpu, scene, settings), b = render(*cuda, scene, settings);
+            REQUIRE(a.aovs.size() == 320 * 240);
+            REQUIRE(b.aovs.size() == 320 * 240);
+            uint32_t other_ids = 0, other_steps = 0;
+            double depth_error = 0, normal_error = 0;
+            for (size_t i = 0; i < a.aovs.size(); ++i) {
+                other_ids += a.aovs[i].id != b.aovs[i].id;
+                other_steps += a.aovs[i].steps != b.aovs[i].steps;
+                depth_error = std::max(depth_error, std::abs(double(a.aovs[i].depth) - b.aovs[i].depth));
+                normal_error = std::max(normal_error, double(glm::length(a.aovs[i].normal - b.aovs[i].normal)));
+            }
+            CHECK(other_ids == 0);
+            CHECK(other_steps == 0);
+            CHECK(depth_error <= 1e-5);
+            CHECK(normal_error <= 1e-5);
+        }
+}
+
 TEST_CASE("cuda: lights, patterns, sky, fog and antialiasing are those of the CPU") {
     SceneProgram scene = random_scene(41, {.spheres = 200, .radius = 0.3, .mirrors = true, .glass = true});
     scene.lights[0].kind = LightKind::spot;

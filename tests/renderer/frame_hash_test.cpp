@@ -57,6 +57,15 @@ TEST_CASE("frame hash: each option that changes the file changes the hash") {
         {"-o", "a.#.tif"},
         {"-o", "a.#.png"},
         {"-o", "a.#.png", "--dither"},
+        {"--aov", "depth"},
+        {"--aov", "normal"},
+        {"--aov", "id"},
+        {"--aov", "id,depth"},
+        {"--aov", "steps"},
+        {"--aov", "steps", "--accel", "cloud"}, // whose steps these are
+        {"--aov", "steps", "--grid", "20"},
+        {"--aov", "steps", "--metric", "octant"},
+        {"--aov", "steps", "--brick", "2"},
     };
     std::set<std::string> hashes;
     for (auto arguments : rows) {
@@ -85,6 +94,7 @@ TEST_CASE("frame hash: how the work is done does not matter") {
         CAPTURE(arguments.back());
         CHECK(hash_with(arguments) == hash_with({}));
     }
+    CHECK(hash_with({"--aov", "depth,id", "--accel", "cloud"}) == hash_with({"--aov", "id,depth,id"}));
     CHECK(backend_of("cpu") == "cpu");
     CHECK(backend_of("cpu#2") == "cpu");
     CHECK(backend_of("cuda:1#2") == "cuda");

@@ -120,6 +120,8 @@ TEST_CASE("devices: two give the same bytes as one, in every mode") {
         {"--antialias", "method1:0.05:2"},
         {"--antialias", "method2:0.05:2"},
         {"--precision", "double", "--accel", "cloud"},
+        {"--aov", "depth,normal,id,steps"},
+        {"--aov", "depth,steps", "--shutter", "-0.5:0.5", "--shutter-samples", "3", "--accel", "cloud"},
     };
     for (const std::vector<std::string>& way : ways) {
         CAPTURE(fmt::format("{}", fmt::join(way, " ")));

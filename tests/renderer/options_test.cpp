@@ -87,6 +87,8 @@ TEST_CASE("options: an animation has numbered names") {
     CHECK(render({"--frames", "1-9", "-o", "a.gif", "--fps", "23.976"}).rate == FrameRate{24000, 1001});
     CHECK(render({"--frames", "1-9", "-o", "a.##.exr", "--movie", "a.webm", "--view", "V"}).movie == "a.webm");
     CHECK(render({"--dry-run"}).dry_run);
+    CHECK(render({"-o", "a.exr", "--aov", "id,depth"}).frame.aovs == AovLayers{.depth = true, .id = true});
+    CHECK_FALSE(render({"-o", "a.exr"}).frame.aovs.any());
     CHECK(render({"--clock", "0.25"}).scene.animation.initial_clock == 0.25f);
 }
 
@@ -163,6 +165,13 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
          "--declare Name=red: the value is neither a number nor a text in double quotes; write 'Name=\"red\"' with the "
          "quotes"},
         {{"--bits", "12"}, "--bits 12: this type of file does not hold it; it holds 8, 16"},
+        {{"-o", "a.exr", "--aov", "depht"}, "--aov depht: not one of depth, id, normal, steps; did you mean depth?"},
+        {{"-o", "a.exr", "--aov", "id,"}, "--aov : not one of depth, id, normal, steps"},
+        {{"-o", "a.png", "--aov", "id"}, "--aov id: only .exr files hold layers; write -o OUT.exr"},
+        {{"-o", "a.exr", "--aov", "id,normal", "--compression", "dwaa"},
+         "--aov id,normal: dwaa takes N.Y for a luminance and loses a part of it; choose another --compression, or "
+         "leave "
+         "normal out"},
         {{"--progress", "loud"}, "--progress loud: not one of auto, bar, json, none, openjd, plain"},
     };
     for (const Row& row : rows) {
