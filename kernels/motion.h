@@ -4,6 +4,7 @@
 #pragma once
 #include "kernels/geometry.h"
 #include "kernels/motion_ops.h"
+#include "kernels/spline_value.h"
 
 #include <span>
 
@@ -68,12 +69,23 @@ struct MotionView {
     std::span<const double> shared;
     std::span<const double> constants;
     std::span<const uint32_t> targets;
+    std::span<const double> splines; ///< tables of all programs, see SplineTerm
 };
 
+HD constexpr SplineKind spline_kind(MotionOp op) {
+    return SplineKind(uint8_t(op) - uint8_t(MotionOp::linear_spline));
+}
+/// The operation of splines of a kind.
+HD constexpr MotionOp spline_op(SplineKind kind) {
+    return MotionOp(uint8_t(MotionOp::linear_spline) + uint8_t(kind));
+}
+
 /// Evaluates one instance of a program into results[0 ... result_count). False when a number on the way is not finite:
-/// then the script itself has to say what the frame is.
-HD inline bool evaluate(const MotionView& motion, const MotionProgram& program, uint32_t instance,
-                        const MotionTime& time, double* results) {
+/// then the script itself has to say what the frame is. `with_splines`: some program of the view has splines; they take
+/// registers, which the others would wait for.
+template <bool with_splines>
+HD bool evaluate(const MotionView& motion, const MotionProgram& program, uint32_t instance, const MotionTime& time,
+                 double* results) {
     double registers[MotionOperand::registers];
     const auto operand = [&](uint8_t code) {
         if (code < MotionOperand::registers)
@@ -96,7 +108,12 @@ HD inline bool evaluate(const MotionView& motion, const MotionProgram& program, 
                 registers[instruction.result] = operand(instruction.right);
             continue;
         }
-        const double result = apply(instruction.op, left, operand(instruction.right));
+        const double right = operand(instruction.right);
+        double result;
+        if (with_splines && is_spline(instruction.op))
+            result = SplineTerm(motion.splines, uint64_t(left)).at(right, spline_kind(instruction.op));
+        else
+            result = apply(instruction.op, left, right);
         finite &= magnitude(result) < infinity<double>;
         registers[instruction.result] = result;
     }
@@ -107,7 +124,7 @@ HD inline bool evaluate(const MotionView& motion, const MotionProgram& program, 
 
 /// Puts every moving sphere where it is at `time`. One call for each instance of the programs whose target is spheres;
 /// `exact` is empty or the same spheres in double.
-template <class Real> struct MoveSpheres {
+template <class Real, bool with_splines> struct MoveSpheres {
     MotionView motion;
     MotionTime time;
     std::span<Sphere<Real>> spheres;
@@ -117,7 +134,7 @@ template <class Real> struct MoveSpheres {
     HD void operator()(uint32_t instance) const {
         const MotionProgram& program = motion.programs[program_of(instance)];
         double sphere[result_count(MotionTarget::sphere)];
-        const bool finite = evaluate(motion, program, instance - program.first_instance, time, sphere);
+        const bool finite = evaluate<with_splines>(motion, program, instance - program.first_instance, time, sphere);
         if (!finite || !(sphere[3] > 0))
             atomic_add(failures.data(), 1);
         const uint32_t place = motion.targets[instance];

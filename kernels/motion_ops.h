@@ -19,6 +19,7 @@ enum class MotionOp : uint8_t {
     truth, ///< 1 when the operand counts as true, else 0
     is_zero,
     is_negative,
+    single, ///< rounded to float
     abs,
     acos,
     acosh,
@@ -64,7 +65,16 @@ enum class MotionOp : uint8_t {
     not_equal,
     logical_and,
     logical_or,
+    // of the place of a spline's term in a table, and the time
+    linear_spline,
+    quadratic_spline,
+    cubic_spline,
+    natural_spline,
 };
+
+HD constexpr bool is_spline(MotionOp op) {
+    return op >= MotionOp::linear_spline;
+}
 
 /// POV-Ray's tolerance of comparisons, absolute.
 inline constexpr double comparison_epsilon = 1e-10;
@@ -87,7 +97,7 @@ HD inline double apply_bitwise(MotionOp op, double a, double b) {
 }
 
 /// The result of an operation on one or two operands (`b` is not used by those of one). What has no value is NaN or
-/// infinite. Not for pick.
+/// infinite. Not for pick and splines.
 HD inline double apply(MotionOp op, double a, double b = 0) {
     switch (op) {
     case MotionOp::negate:
@@ -100,6 +110,8 @@ HD inline double apply(MotionOp op, double a, double b = 0) {
         return a == 0 ? 1.0 : 0.0;
     case MotionOp::is_negative:
         return a < 0 ? 1.0 : 0.0;
+    case MotionOp::single:
+        return double(float(a));
     case MotionOp::abs:
         return ::fabs(a);
     case MotionOp::acos:
@@ -184,8 +196,7 @@ HD inline double apply(MotionOp op, double a, double b = 0) {
         return is_true(a) && is_true(b) ? 1.0 : 0.0;
     case MotionOp::logical_or:
         return is_true(a) || is_true(b) ? 1.0 : 0.0;
-    case MotionOp::copy:
-    case MotionOp::pick:
+    default: // copy
         break;
     }
     return a;

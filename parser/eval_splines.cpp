@@ -78,7 +78,7 @@ void Evaluator::spline_point(Spline& spline) {
         fail(point_at, fmt::format("this point has {} terms, the one before has {}", terms.count, spline.terms),
              "all points of a spline need equally many");
     accept(TokenKind::comma);
-    charge(2 * sizeof(Spline::Point));
+    charge(3 * sizeof(Spline::Point));
     Spline::Point point;
     std::copy_n(terms.value, point.size(), point.begin());
     if (!spline.add(time, point))
@@ -93,7 +93,7 @@ void Evaluator::check_spline(const Token& at, const Spline& spline, SplineKind k
 
 /// `time [, kind])` behind the parenthesis.
 Terms Evaluator::call_spline(const Spline& spline) {
-    const double time = number();
+    const Varying time = moving_number();
     SplineKind kind = spline.kind;
     if (accept(TokenKind::comma)) {
         const Token& at = peek();
@@ -104,11 +104,29 @@ Terms Evaluator::call_spline(const Spline& spline) {
         advance();
     }
     expect(TokenKind::right_paren);
-    const Spline::Point point = spline.at(time, kind);
+    const Spline::Point point = spline.at(time.value, kind);
     Terms terms;
     terms.count = spline.terms;
     std::copy_n(point.begin(), terms.count, terms.value);
+    if (time.node)
+        terms.nodes = spline_nodes(spline, kind, time);
     return terms;
+}
+
+/// What a spline gives at a time that has a node.
+NodeId Evaluator::spline_nodes(const Spline& spline, SplineKind kind, const Varying& time) {
+    if (!graph_.records())
+        return 0;
+    if (!spline.kept_at) {
+        charge(spline.table().size_bytes());
+        spline.kept_at = graph_.keep(spline.table());
+    }
+    NodeId nodes[5] = {};
+    for (int term = 0; term < spline.terms; ++term) {
+        const double place = double(*spline.kept_at + spline.place_of(term));
+        nodes[term] = graph_.operation(spline_op(kind), place, time);
+    }
+    return graph_.terms(nodes);
 }
 
 } // namespace proxima

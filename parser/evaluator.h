@@ -17,7 +17,7 @@
 
 namespace proxima {
 
-enum class SplineKind;
+enum class SplineKind : uint8_t;
 
 class Evaluator {
 public:
@@ -207,6 +207,7 @@ private:
     void spline_point(Spline& spline);
     void check_spline(const Token& at, const Spline& spline, SplineKind kind) const;
     Terms call_spline(const Spline& spline);
+    NodeId spline_nodes(const Spline& spline, SplineKind kind, const Varying& time);
 
     // eval_arrays.cpp
     Value array();

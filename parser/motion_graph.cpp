@@ -101,6 +101,12 @@ NodeId MotionGraph::term(NodeId nodes, int index) const {
     return nodes_[node.operands[2]].operands[index - 2];
 }
 
+uint64_t MotionGraph::keep(std::span<const double> table) {
+    const uint64_t place = splines_.size();
+    splines_.insert(splines_.end(), table.begin(), table.end());
+    return place;
+}
+
 bool MotionGraph::changes_between_frames(NodeId id) const {
     std::vector<NodeId> pending{id};
     std::vector<bool> seen(nodes_.size());

@@ -81,6 +81,10 @@ public:
     /// Whether a number follows from clock or frame_number, not from clock_delta alone, which an animation keeps.
     bool changes_between_frames(NodeId id) const;
 
+    /// Keeps a table for operations that look into it. Returns where it begins.
+    uint64_t keep(std::span<const double> table);
+    std::vector<double>& splines() { return splines_; }
+
     /// What must be true in every frame that is computed from this evaluation.
     const std::vector<NodeId>& guards() const { return guards_; }
     void guard(NodeId condition) {
@@ -103,6 +107,7 @@ private:
     std::vector<MotionNode> nodes_;
     std::vector<NodeId> free_;
     std::vector<NodeId> guards_;
+    std::vector<double> splines_; ///< tables
     std::vector<NodeId> pending_; ///< of mark()
     uint64_t made_ = 0;           ///< nodes since the last sweep, and those that were left then
     uint64_t limit_ = 1 << 18;

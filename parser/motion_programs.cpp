@@ -45,13 +45,14 @@ std::byte* bytes_of(SceneTables& tables, const MotionField& field) {
 }
 
 /// Evaluates all instances of programs for single numbers; `store(target, value)` takes what is finite.
-template <class Store> bool evaluate_numbers(const MotionCode& code, const MotionTime& time, Store store) {
-    const MotionView view = code.view();
+template <class Store>
+bool evaluate_numbers(const MotionCode& code, std::span<const double> splines, const MotionTime& time, Store store) {
+    const MotionView view = code.view(splines);
     bool finite = true;
     for (const MotionProgram& program : code.programs)
         for (uint32_t instance = 0; instance < program.instances; ++instance) {
             double result[1] = {};
-            finite &= evaluate(view, program, instance, time, result);
+            finite &= evaluate<true>(view, program, instance, time, result);
             store(code.targets[program.first_instance + instance], result[0]);
         }
     return finite;
@@ -60,11 +61,12 @@ template <class Store> bool evaluate_numbers(const MotionCode& code, const Motio
 } // namespace
 
 bool evaluate_uniforms(const MotionPrograms& motion, const MotionTime& time, std::span<double> shared) {
-    return evaluate_numbers(motion.uniforms, time, [&](uint32_t target, double value) { shared[target] = value; });
+    return evaluate_numbers(motion.uniforms, motion.splines, time,
+                            [&](uint32_t target, double value) { shared[target] = value; });
 }
 
 bool move_fields(SceneTables& tables, const MotionPrograms& motion, const MotionTime& time) {
-    const bool finite = evaluate_numbers(motion.numbers, time, [&](uint32_t target, double value) {
+    const bool finite = evaluate_numbers(motion.numbers, motion.splines, time, [&](uint32_t target, double value) {
         const MotionField& field = motion.fields[target];
         if (field.table == MotionField::Table::guard)
             return;
@@ -82,18 +84,19 @@ bool move_fields(SceneTables& tables, const MotionPrograms& motion, const Motion
 
 bool is_defined(const MotionPrograms& motion, const MotionTime& time) {
     const auto drop = [](uint32_t, double) {};
-    return evaluate_numbers(motion.uniforms, time, drop) && evaluate_numbers(motion.numbers, time, drop);
+    return evaluate_numbers(motion.uniforms, motion.splines, time, drop) &&
+           evaluate_numbers(motion.numbers, motion.splines, time, drop);
 }
 
 bool move_spheres(std::span<Sphere<double>> spheres, const MotionPrograms& motion, const MotionTime& time) {
     std::vector<double> shared = motion.spheres.shared;
     bool good = evaluate_uniforms(motion, time, shared);
-    MotionView view = motion.spheres.view();
+    MotionView view = motion.spheres.view(motion.splines);
     view.shared = shared;
     for (const MotionProgram& program : view.programs)
         for (uint32_t instance = 0; instance < program.instances; ++instance) {
             double results[4] = {};
-            good &= evaluate(view, program, instance, time, results);
+            good &= evaluate<true>(view, program, instance, time, results);
             good &= results[3] > 0;
             spheres[view.targets[program.first_instance + instance]] = {{results[0], results[1], results[2]},
                                                                         results[3]};

@@ -49,7 +49,9 @@ struct MotionCode {
     std::vector<uint32_t> targets;
 
     bool empty() const { return programs.empty(); }
-    MotionView view() const { return {programs, instructions, outputs, shared, constants, targets}; }
+    MotionView view(std::span<const double> splines) const {
+        return {programs, instructions, outputs, shared, constants, targets, splines};
+    }
 };
 
 struct MotionPrograms {
@@ -59,6 +61,7 @@ struct MotionPrograms {
     MotionCode uniforms;
     MotionCode numbers; ///< targets: indices into `fields`
     std::vector<MotionField> fields;
+    std::vector<double> splines; ///< the tables that all of them look into
 
     bool empty() const { return spheres.empty() && numbers.empty(); }
     size_t moving_spheres() const { return spheres.targets.size(); }

@@ -351,6 +351,7 @@ SceneProgram SceneBuilder::finish_program() {
     for (const MotionShape& shape : shapes_.all())
         motion_failed_ = motion_failed_ || !compile(shape, program_.motion);
     program_.motion.fields = std::move(fields_);
+    program_.motion.splines = std::move(graph_.splines());
     if (motion_failed_ || !graph_.records())
         program_.motion = {};
     return std::move(program_);

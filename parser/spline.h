@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves through points at given times, of the four kinds of POV-Ray 3.7. Before the first point and behind the last
-// one a curve stands still.
+// Splines as a scene declares them: points at given times, and the table that motion programs look into.
 #pragma once
+#include "kernels/spline_value.h"
+
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace proxima {
-
-enum class SplineKind {
-    linear,
-    quadratic, ///< the parabola through the two points around and the one before them
-    cubic,     ///< Hermite's cubic, as steep at each point as the lines to its neighbours are in the mean
-    natural,   ///< the cubic whose curvature is continuous, and 0 at both ends
-};
 
 class Spline {
 public:
@@ -21,6 +17,8 @@ public:
 
     SplineKind kind = SplineKind::linear;
     int terms = 0; ///< of each point, 2 to 5
+    /// Where the motion graph keeps the table; nowhere until a call follows from the time.
+    mutable std::optional<uint64_t> kept_at;
 
     /// Puts a point in its place. False when there is one at this time already.
     bool add(double time, const Point& point);
@@ -33,19 +31,19 @@ public:
     Point at(double time) const { return at(time, kind); }
     Point at(double time, SplineKind kind) const;
 
-private:
-    Point on_line(size_t segment, double time) const;
-    Point on_parabola(size_t segment, double time) const;
-    Point on_hermite_cubic(size_t segment, double time) const;
-    Point on_natural_cubic(size_t segment, double time) const;
-    double length(size_t segment) const { return times_[segment + 1] - times_[segment]; }
-    double slope(size_t segment, size_t term) const {
-        return (points_[segment + 1][term] - points_[segment][term]) / length(segment);
+    /// The times, and behind them what SplineTerm needs of each term.
+    std::span<const double> table() const { return table_; }
+    /// Where a term stands in the table.
+    uint64_t place_of(int term) const {
+        return times_.size() + uint64_t(term) * (SplineTerm::header + 2 * times_.size());
     }
+
+private:
+    void bend(double* curvatures, const SplineTerm& term) const;
 
     std::vector<double> times_; ///< rising
     std::vector<Point> points_;
-    std::vector<Point> curvatures_; ///< second derivatives of the natural spline at the points
+    std::vector<double> table_;
 };
 
 } // namespace proxima

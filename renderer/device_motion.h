@@ -16,7 +16,7 @@ template <class Backend> class DeviceMotion {
 public:
     explicit DeviceMotion(Backend& backend)
         : backend_(backend), programs_(backend), instructions_(backend), outputs_(backend), shared_(backend),
-          constants_(backend), targets_(backend), failures_(backend) {}
+          constants_(backend), targets_(backend), splines_(backend), failures_(backend) {}
 
     /// Takes over the programs of spheres. `order[place]` is the id of the sphere that stands at a place of the
     /// device's array; empty when places are ids.
@@ -24,6 +24,7 @@ public:
         moving_ = uint32_t(motion.moving_spheres());
         uniforms_.uniforms = motion.uniforms;
         uniforms_.spheres.shared = motion.spheres.shared;
+        uniforms_.splines = motion.splines;
         if (moving_ == 0)
             return;
         const MotionCode& code = motion.spheres;
@@ -40,6 +41,9 @@ public:
         instructions_.upload(code.instructions.size(), [&](size_t i) { return code.instructions[i]; });
         outputs_.upload(code.outputs.size(), [&](size_t i) { return code.outputs[i]; });
         upload_shared(code.shared);
+        has_splines_ = std::ranges::any_of(code.instructions, is_spline, &MotionInstruction::op);
+        if (has_splines_)
+            splines_.upload(motion.splines.size(), [&](size_t i) { return motion.splines[i]; });
         failures_.resize(1);
         failures_.fill_bytes(0);
     }
@@ -56,12 +60,12 @@ public:
                 return false;
             upload_shared(shared);
         }
-        backend_.for_each(moving_, MoveSpheres<Real>{{programs_.view(), instructions_.view(), outputs_.view(),
-                                                      shared_.view(), constants_.view(), targets_.view()},
-                                                     time,
-                                                     spheres,
-                                                     exact,
-                                                     failures_.view()});
+        const MotionView view{programs_.view(),  instructions_.view(), outputs_.view(), shared_.view(),
+                              constants_.view(), targets_.view(),      splines_.view()};
+        if (has_splines_)
+            backend_.for_each(moving_, MoveSpheres<Real, true>{view, time, spheres, exact, failures_.view()});
+        else
+            backend_.for_each(moving_, MoveSpheres<Real, false>{view, time, spheres, exact, failures_.view()});
         return true;
     }
 
@@ -127,8 +131,10 @@ private:
     Buffer<double> shared_;
     Buffer<double> constants_;
     Buffer<uint32_t> targets_;
+    Buffer<double> splines_;
     Buffer<uint32_t> failures_;
     uint32_t moving_ = 0;
+    bool has_splines_ = false; ///< of the programs for spheres
 };
 
 } // namespace proxima

@@ -109,8 +109,8 @@ public:
         add(programs, instructions, outputs, shared, constants, targets);
     }
     void add(const MotionPrograms& value) {
-        const auto& [spheres, uniforms, numbers, fields] = value;
-        add(spheres, uniforms, numbers, fields);
+        const auto& [spheres, uniforms, numbers, fields, splines] = value;
+        add(spheres, uniforms, numbers, fields, splines);
     }
 
 private:

@@ -29,7 +29,7 @@ struct Machine {
     }
     double operator()(uint32_t instance, bool expected_finite = true) const {
         double result = 0;
-        CHECK(evaluate(motion.view(), motion.programs[0], instance, {7, 8, 9}, &result) == expected_finite);
+        CHECK(evaluate<true>(motion.view({}), motion.programs[0], instance, {7, 8, 9}, &result) == expected_finite);
         return result;
     }
 };

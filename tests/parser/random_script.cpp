@@ -23,6 +23,45 @@ std::string RandomScript::condition() {
     return fmt::format("({}{}{})", number(1), one_of({"<", ">", "<=", ">=", "=", "!="}), number(1));
 }
 
+std::string RandomScript::spline() {
+    std::string text =
+        fmt::format("spline {{ {}", one_of({"linear_spline", "quadratic_spline", "cubic_spline", "natural_spline"}));
+    const uint32_t points = 3 + below(5);
+    for (uint32_t i = 0; i < points; ++i)
+        text += fmt::format("{} {:.3f}, <{}, {}, {}>", i ? "," : "", 0.25 * i - 0.5 + 0.2 * double(below(100)) / 100,
+                            constant(), constant(), constant());
+    return text + " }";
+}
+
+/// Of the parameters A and B, in the grammar that functions have.
+std::string RandomScript::function_body(int depth) {
+    if (depth <= 0)
+        return one_of({"A", "B", "A", "B", "clock", "pi", "0.5", "2"});
+    const auto inner = [&] { return function_body(depth - 1); };
+    switch (below(7)) {
+    case 0:
+    case 1:
+        return fmt::format("({}{}{})", inner(), one_of({"+", "-", "*"}), inner());
+    case 2:
+        return fmt::format("{}({})", one_of({"sin", "cos", "tanh", "atan", "abs", "floor", "-"}), inner());
+    case 3:
+        return fmt::format("{}/(abs({})+0.3)", inner(), inner());
+    case 4:
+        return fmt::format("select({},{},{},{})", inner(), inner(), inner(), inner());
+    case 5:
+        return fmt::format("({}{}{} {} {})", inner(), one_of({"<", ">", "<=", ">=", "=", "!="}), inner(),
+                           one_of({"&", "|"}), inner());
+    default:
+        return fmt::format("{}({},{})", one_of({"max", "min"}), inner(), inner());
+    }
+}
+
+std::string RandomScript::declarations() {
+    return fmt::format("#declare R = seed({});\n#declare S0 = {}\n#declare S1 = {}\n"
+                       "#declare F0 = function(A, B) {{ {} }}\n#declare F1 = function(A, B) {{ {} + F0(B, A) }}\n",
+                       below(1000), spline(), spline(), function_body(3), function_body(2));
+}
+
 std::string RandomScript::number(int depth) {
     if (depth <= 0 || chance(0.2)) {
         switch (below(8)) {
@@ -43,7 +82,7 @@ std::string RandomScript::number(int depth) {
         }
     }
     const auto inner = [&] { return number(depth - 1); };
-    switch (below(14)) {
+    switch (below(16)) {
     case 0:
     case 1:
     case 2:
@@ -71,6 +110,11 @@ std::string RandomScript::number(int depth) {
         return fmt::format("vdot({},{})", vector(depth - 1), vector(depth - 1));
     case 12:
         return fmt::format("{}({})", one_of({"-", "!", "+"}), inner());
+    case 13:
+        return fmt::format("{}({}{}){}", name("S", 2), inner(), one_of({"", ",cubic_spline", ",natural_spline"}),
+                           one_of({".x", ".y", ".z"}));
+    case 14:
+        return fmt::format("{}({},{})", name("F", 2), inner(), inner());
     default:
         return fmt::format("{}{}", one_of({"vlength(", "vlength(2*"}), vector(depth - 1) + ")");
     }
@@ -79,7 +123,7 @@ std::string RandomScript::number(int depth) {
 std::string RandomScript::vector(int depth) {
     if (depth <= 0 && vectors_ > 0 && chance(0.5))
         return name("V", vectors_);
-    switch (depth <= 0 ? 0 : below(8)) {
+    switch (depth <= 0 ? 0 : below(9)) {
     case 0:
     case 1:
     case 2:
@@ -91,6 +135,8 @@ std::string RandomScript::vector(int depth) {
     case 5:
         return fmt::format("{}({},{})", one_of({"vrotate", "vcross"}), vector(depth - 1), vector(depth - 1));
     case 6:
+        return fmt::format("{}({})", name("S", 2), number(depth));
+    case 7:
         return fmt::format("vnormalize({}+<0,7,0.1>)", vector(depth - 1));
     default:
         return fmt::format("vaxis_rotate({},{}+<3,0,0>,{})", vector(depth - 1), vector(depth - 1), number(depth));
@@ -209,8 +255,7 @@ std::string RandomScript::statement(bool control, int depth) {
 std::string RandomScript::scene(bool control) {
     numbers_ = vectors_ = 0;
     loop_.clear();
-    std::string text = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare R = seed(" +
-                       std::to_string(below(1000)) + ");\n" +
+    std::string text = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n" + declarations() +
                        "#declare A = array[3] {clock, 2, 3+clock}\n"
                        "#declare T = texture { pigment { rgb 1 } }\n"
                        "#macro Ball(P, Q) #local L = Q*2; sphere { P, abs(L)+0.1 translate L*y } #end\n"

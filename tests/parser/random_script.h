@@ -12,6 +12,8 @@ class RandomScript {
 public:
     explicit RandomScript(uint64_t seed) : random_(seed) {}
 
+    /// Declares what numbers and vectors may ask for: the random numbers R, splines and functions.
+    std::string declarations();
     /// A number, of names that are declared.
     std::string number(int depth = 3);
     std::string vector(int depth = 2);
@@ -27,6 +29,8 @@ private:
         return words.begin()[below(uint32_t(words.size()))];
     }
     std::string condition();
+    std::string spline();
+    std::string function_body(int depth);
     std::string transform();
     std::string color();
     std::string surface();
