@@ -71,6 +71,7 @@ public:
             moving_tables_ = scene;
             moving_fields_.numbers = scene.motion.numbers;
             moving_fields_.fields = scene.motion.fields;
+            moving_fields_.splines = scene.motion.splines;
         }
         upload_spheres(scene);
         upload_tables(scene);

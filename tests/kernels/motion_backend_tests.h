@@ -67,6 +67,26 @@ inline SceneProgram moving_scene(uint32_t seed, const RandomSceneSpec& spec) {
     return scene;
 }
 
+/// A random scene in which spheres and the light rise along a natural spline through 0, 1 and 0 at the times 0, 1, 2.
+inline SceneProgram scene_on_spline(uint32_t seed, const RandomSceneSpec& spec) {
+    SceneProgram scene = random_scene(seed, spec);
+    scene.motion.splines = {0, 1, 2, 3, 3, 0, 1, 0, 0, -3, 0};
+    std::vector<uint32_t> all;
+    std::vector<std::vector<double>> own_constants;
+    for (uint32_t i = 0; i < scene.spheres.size(); ++i) {
+        const Sphere<double>& s = scene.spheres[i];
+        all.push_back(i);
+        own_constants.push_back({s.center.x, s.center.y, s.center.z, s.radius});
+    }
+    const MotionInstruction height{MotionOp::natural_spline, 0, shared(0), MotionOperand::clock};
+    add_program(scene.motion.spheres, MotionTarget::sphere, {height, {MotionOp::add, 0, own(1), 0}},
+                {own(0), 0, own(2), own(3)}, {3}, all, own_constants);
+    scene.motion.fields.push_back({MotionField::Table::lights, MotionField::Type::float64, 0,
+                                   uint32_t(offsetof(Light<double>, position) + sizeof(double))});
+    add_program(scene.motion.numbers, MotionTarget::number, {height}, {0}, {3}, {0}, {{}});
+    return scene;
+}
+
 /// The same scene at a time, computed here.
 inline SceneProgram moved(const SceneProgram& scene, const MotionTime& time) {
     SceneProgram result = scene;
@@ -102,6 +122,28 @@ TEST_CASE_TEMPLATE("motion: a moved scene is the bits of the scene that stands t
                 CHECK(same_bits(image, render(*make_renderer<Backend>(), moved(scene, time), settings)));
             }
         }
+}
+
+TEST_CASE_TEMPLATE("motion: spheres and lights on a spline are where it is", Backend, BACKENDS) {
+    const auto renderer = make_renderer<Backend>();
+    const SceneProgram scene = scene_on_spline(3, {.spheres = 500});
+    FrameSettings settings;
+    settings.width = 60;
+    settings.height = 45;
+    renderer->set_scene(scene, settings.precision);
+    const double heights[][2] = {{-1, 0}, {0.5, 0.6875}, {1, 1}, {1.5, 0.6875}, {9, 0}};
+    for (const auto& [clock, height] : heights) {
+        CAPTURE(clock);
+        SceneProgram there = scene;
+        there.motion = {};
+        for (Sphere<double>& sphere : there.spheres)
+            sphere.center.y += height;
+        there.lights[0].position.y = height;
+        Image image;
+        const MotionTime time{clock, 1, 0};
+        renderer->render(settings, {&time, 1}, image);
+        CHECK(same_bits(image, render(*make_renderer<Backend>(), there, settings)));
+    }
 }
 
 TEST_CASE_TEMPLATE("motion: several moments are averaged in linear light", Backend, BACKENDS) {
