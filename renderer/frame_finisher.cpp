@@ -2,8 +2,10 @@
 #include "renderer/frame_finisher.h"
 #include "renderer/atomic_file.h"
 #include "renderer/camera_matrices.h"
+#include "renderer/displayed_picture.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 namespace proxima {
 
@@ -24,6 +26,17 @@ void FrameFinisher::start(Progress& progress, RunWatch watch) {
     progress_ = &progress;
     watch_ = watch;
     encoder_.emplace();
+}
+
+void FrameFinisher::show_kept(const std::vector<AuditedFrame>& frames) {
+    if (!page_)
+        return;
+    tbb::parallel_for(size_t(0), frames.size(), [&](size_t i) {
+        const AuditedFrame& frame = frames[i];
+        const Image picture = displayed_picture(read_image_file(frame.file), *view_);
+        page_->add_picture(frame.frame, RenderPage::thumbnail(picture), *encoder_);
+        page_->add_kept(frame.frame, frame.file);
+    });
 }
 
 void FrameFinisher::operator()(FinishedFrame& frame) {

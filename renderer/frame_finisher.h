@@ -3,6 +3,7 @@
 // that any thread may call; and what follows when all frames are there.
 #pragma once
 #include "renderer/color.h"
+#include "renderer/frame_audit.h"
 #include "renderer/frame_hash.h"
 #include "renderer/frame_watch.h"
 #include "renderer/frame_writer.h"
@@ -29,6 +30,10 @@ public:
     /// Begins to load what encodes, beside what the caller does next, and says where messages go and who watches the
     /// steps. Before the first frame.
     void start(Progress& progress, RunWatch watch = {});
+
+    /// Puts frames that are there already, and stay as they are, on the page, if there is to be one. After start().
+    /// Throws FileError.
+    void show_kept(const std::vector<AuditedFrame>& frames);
 
     /// Writes the file of a frame, or puts the frame into the animation's file, and completes its record. Throws
     /// FileError.

@@ -3,11 +3,11 @@
 #include "parser/source_files.h"
 #include "renderer/atomic_file.h"
 #include "renderer/child_process.h"
+#include "renderer/displayed_picture.h"
 #include "renderer/errors.h"
 #include "renderer/image_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <span>
 #include <string>
@@ -51,19 +51,6 @@ std::vector<std::string> ffmpeg_command(const MovieKind& kind, const FrameRate& 
     return arguments;
 }
 
-std::vector<uint8_t> displayed_levels(StoredImage picture, const ColorTransform& view) {
-    if (is_scene_linear(picture.type)) {
-        Image image{picture.width, picture.height, std::move(picture.samples)};
-        view.apply(image);
-        return quantize_to_bytes(image);
-    }
-    std::vector<uint8_t> levels(picture.samples.size());
-    const double scale = 255 / full_scale(picture.type);
-    std::transform(picture.samples.begin(), picture.samples.end(), levels.begin(),
-                   [&](float sample) { return uint8_t(std::floor(double(sample) * scale + 0.5)); });
-    return levels;
-}
-
 } // namespace
 
 Movie::Movie(std::filesystem::path path, FrameRate rate) : path_(std::move(path)), rate_(rate) {
@@ -96,7 +83,7 @@ void Movie::make(const std::vector<std::filesystem::path>& pictures, const Color
         if (own_size != size)
             throw FileError(fmt::format("{}: it is {}x{}, and the pictures before it are {}x{}", pictures[i].string(),
                                         own_size.first, own_size.second, size.first, size.second));
-        takes_more = ffmpeg->write(displayed_levels(std::move(picture), view));
+        takes_more = ffmpeg->write(quantize_to_bytes(displayed_picture(std::move(picture), view)));
     }
     if (!ffmpeg)
         return;

@@ -30,16 +30,17 @@ void print_frames(const RenderOptions& options) {
         fmt::print("{} {}\n", frame, options.output->path(frame).string());
 }
 
-/// Leaves the frames that are not complete yet. Returns how many were.
-size_t skip_complete(const RenderOptions& options, SceneSource& scene, const FrameHash& hash,
+/// Leaves the frames that are not complete yet. Returns those that are.
+std::vector<AuditedFrame> skip_complete(const RenderOptions& options, SceneSource& scene, const FrameHash& hash,
                      const std::vector<std::string>& backends, Animation& animation) {
-    std::vector<int64_t> left;
-    for (const AuditedFrame& frame : audit_frames(options, scene, hash, backends))
-        if (frame.state != FrameState::complete)
-            left.push_back(frame.frame);
-    const size_t skipped = animation.frames.size() - left.size();
-    animation.frames = std::move(left);
-    return skipped;
+    std::vector<AuditedFrame> kept;
+    animation.frames.clear();
+    for (AuditedFrame& frame : audit_frames(options, scene, hash, backends))
+        if (frame.state == FrameState::complete)
+            kept.push_back(std::move(frame));
+        else
+            animation.frames.push_back(frame.frame);
+    return kept;
 }
 
 void check_outputs(const RenderOptions& options) {
@@ -108,12 +109,12 @@ void render_command(const RenderOptions& options) {
                   .samples = options.frame.samples,
                   .spheres = scene.program().spheres.size() + scene.program().ellipsoids.size(),
                   .moving = scene.program().motion.moving_spheres()};
-    size_t skipped = 0;
+    std::vector<AuditedFrame> kept;
     if (options.skip_existing)
-        skipped = skip_complete(options, scene, finisher.hash(), backends_of(started), animation);
+        kept = skip_complete(options, scene, finisher.hash(), backends_of(started), animation);
     Progress progress(options.progress, animation.frames.size());
     if (options.skip_existing)
-        progress.note(fmt::format("{} of {} frames are there", skipped, skipped + animation.frames.size()));
+        progress.note(fmt::format("{} of {} frames are there", kept.size(), kept.size() + animation.frames.size()));
     for (const std::string& failure : started.failures)
         progress.note(failure);
     if (animation.has_no_step())
@@ -126,6 +127,7 @@ void render_command(const RenderOptions& options) {
     const bool is_timed = options.timeline || options.stats_json;
     const RunWatch watch{.faults = &faults, .timeline = is_timed ? &timeline : nullptr};
     finisher.start(progress, watch);
+    finisher.show_kept(kept);
     FrameWriter writer(std::ref(finisher), writer_threads(options),
                        [&](const FrameRecord& record) { finisher.announce(record); });
     FrameQueue queue(animation.frames.size(), plan.workers.size(), plan.bands);

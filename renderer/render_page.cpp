@@ -52,11 +52,19 @@ void RenderPage::add_frame(const FrameRecord& record) {
     frames_.push_back(record);
 }
 
+void RenderPage::add_kept(int64_t frame, const std::filesystem::path& file) {
+    const std::lock_guard lock(mutex_);
+    kept_.emplace(frame, file.string());
+}
+
 void RenderPage::finish(RunRecord run, const std::vector<std::string>& notes, const std::string& error) const {
     const std::lock_guard lock(mutex_);
     run.frames = frames_;
     std::ranges::sort(run.frames, {}, &FrameRecord::frame);
     auto json = nlohmann::ordered_json::parse(to_json(run));
+    json["kept"] = nlohmann::ordered_json::array();
+    for (const auto& [frame, file] : kept_)
+        json["kept"].push_back({{"frame", frame}, {"file", file}});
     json["notes"] = notes;
     json["error"] = error;
     const std::string page = fill_page(embedded_render_page, "/*RUN*/",

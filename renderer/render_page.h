@@ -6,6 +6,7 @@
 #include "renderer/statistics_json.h"
 
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ public:
     void add_picture(int64_t frame, const Image& picture, ImageEncoder& encoder) const;
     /// The frame is there. Any thread.
     void add_frame(const FrameRecord& record);
+    /// The frame was there before the run, and was left as it is. Any thread.
+    void add_kept(int64_t frame, const std::filesystem::path& file);
 
     /// Writes the page. `run` has everything but its frames; `error` is what ended the run early, or empty.
     void finish(RunRecord run, const std::vector<std::string>& notes, const std::string& error) const;
@@ -32,6 +35,7 @@ private:
     std::filesystem::path folder_;
     mutable std::mutex mutex_;
     std::vector<FrameRecord> frames_;
+    std::map<int64_t, std::string> kept_; ///< files by their frames
 };
 
 } // namespace proxima

@@ -235,6 +235,24 @@ TEST_CASE("output: the report shows every frame, and needs no network") {
     CHECK(says(right.standard_output, "<td>cpu: 5</td>"));
     CHECK_FALSE(says(right.standard_output, "<h2>The run ended early</h2>"));
 
+    // Frames that were there are shown too, from their files.
+    const auto dots = [&](int frame) { return work.content(fmt::format("report/pictures/{}.png", frame)); };
+    const std::string fifth = dots(5);
+    fs::remove_all(work.folder / "report");
+    fs::remove(work.folder / "a.0005.exr");
+    REQUIRE(run({"-o", "a.#.exr", "--skip-existing"}).exit_code == 0);
+    CHECK(dots(5) == fifth);
+    CHECK_FALSE(dots(4).empty());
+    const ProcessResult resumed = rendered();
+    CHECK(says(resumed.standard_output, "<h1>5 frames of moving.scn</h1>"));
+    CHECK(says(resumed.standard_output, "<b>1</b><span class=\"soft\">frames made</span>"));
+    CHECK(says(resumed.standard_output, "<b>4</b><span class=\"soft\">were there</span>"));
+    CHECK(says(resumed.standard_output, "4: was there"));
+    for (int frame = 1; frame <= 5; ++frame)
+        CHECK(says(resumed.standard_output, fmt::format("src=\"pictures/{}.png\"", frame)));
+    REQUIRE(run({"-o", "a.#.exr", "--skip-existing"}).exit_code == 0); // nothing is left to do
+    CHECK(says(rendered().standard_output, "<b>5</b><span class=\"soft\">were there</span>"));
+
     // A frame that cannot be written.
     fs::create_directory(work.folder / "a.0003.png");
     CHECK(run({"-o", "a.#.png"}).exit_code == 3);
