@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/atomic_file.h"
 #include "parser/source_files.h"
+#include "renderer/temporary_name.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <random>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -40,8 +41,25 @@ public:
         if (number_ >= 0)
             ::close(number_);
     }
-    Descriptor(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept
+        : number_(std::exchange(other.number_, -1)), path_(std::move(other.path_)) {}
     Descriptor& operator=(const Descriptor&) = delete;
+
+    /// The same open file, and so the same lock, under another number.
+    Descriptor duplicate() const {
+        const int number = ::fcntl(number_, F_DUPFD_CLOEXEC, 0);
+        if (number < 0)
+            fail(path_, errno);
+        return Descriptor(number, path_);
+    }
+    /// False when somebody else was quicker: then the file is, or will be, without a name. File systems that know no
+    /// locks do without.
+    bool lock() const {
+        if (::flock(number_, LOCK_EX | LOCK_NB) != 0)
+            return errno != EWOULDBLOCK;
+        struct stat info;
+        return ::fstat(number_, &info) != 0 || info.st_nlink > 0;
+    }
 
     void write(std::span<const unsigned char> bytes) {
         while (!bytes.empty()) {
@@ -65,14 +83,20 @@ public:
     }
 
 private:
+    Descriptor(int number, const fs::path& path) : number_(number), path_(path) {}
+
     int number_;
     fs::path path_;
 };
 
-/// A name that nobody has, in the folder of `path`.
-fs::path temporary_name(const fs::path& path) {
-    return folder_of(path) / fmt::format(".{}.{:08x}{:08x}.tmp", path.filename().string().substr(0, 200),
-                                         std::random_device()(), std::random_device()());
+/// A new file beside `path`, locked for as long as it is open: see leftovers.h.
+Descriptor make_temporary(const fs::path& path, fs::path& temporary) {
+    for (;;) {
+        temporary = temporary_name(path);
+        Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL, path);
+        if (file.lock())
+            return file;
+    }
 }
 
 /// Whether `path` is there and is neither a file nor a folder. Throws for a folder.
@@ -93,9 +117,10 @@ bool is_device(const fs::path& path) {
 struct PendingFile::Implementation {
     fs::path path, temporary;
     Descriptor file;
+    Descriptor lock; ///< until the file has its final name
 
     explicit Implementation(const fs::path& path)
-        : path(path), temporary(temporary_name(path)), file(temporary, O_WRONLY | O_CREAT | O_EXCL, path) {}
+        : path(path), file(make_temporary(path, temporary)), lock(file.duplicate()) {}
     ~Implementation() {
         if (!temporary.empty())
             ::unlink(temporary.c_str());
@@ -115,7 +140,7 @@ void PendingFile::write(std::span<const unsigned char> bytes) {
 }
 
 void PendingFile::commit() {
-    auto& [path, temporary, file] = *implementation_;
+    auto& [path, temporary, file, lock] = *implementation_;
     file.sync();
     file.close();
     if (::rename(temporary.c_str(), path.c_str()) != 0)

@@ -11,6 +11,7 @@
 #include "renderer/frame_scheduler.h"
 #include "renderer/frame_source.h"
 #include "renderer/frame_writer.h"
+#include "renderer/leftovers.h"
 #include "renderer/render_workers.h"
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
@@ -32,7 +33,7 @@ void print_frames(const RenderOptions& options) {
 
 /// Leaves the frames that are not complete yet. Returns those that are.
 std::vector<AuditedFrame> skip_complete(const RenderOptions& options, SceneSource& scene, const FrameHash& hash,
-                     const std::vector<std::string>& backends, Animation& animation) {
+                                        const std::vector<std::string>& backends, Animation& animation) {
     std::vector<AuditedFrame> kept;
     animation.frames.clear();
     for (AuditedFrame& frame : audit_frames(options, scene, hash, backends))
@@ -49,6 +50,14 @@ void check_outputs(const RenderOptions& options) {
     for (const auto& file : {options.stats_json, options.timeline})
         if (file)
             check_writable(*file);
+}
+
+/// What earlier runs that were killed left of this run's files.
+size_t remove_all_leftovers(const RenderOptions& options) {
+    std::vector<std::filesystem::path> files;
+    for (const int64_t frame : options.scene.animation.frames)
+        files.push_back(options.output->path(frame));
+    return remove_leftovers(files);
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
@@ -115,6 +124,9 @@ void render_command(const RenderOptions& options) {
     Progress progress(options.progress, animation.frames.size());
     if (options.skip_existing)
         progress.note(fmt::format("{} of {} frames are there", kept.size(), kept.size() + animation.frames.size()));
+    if (const size_t removed = remove_all_leftovers(options); removed > 0)
+        progress.note(
+            fmt::format("removed {} unfinished {} of earlier runs", removed, removed == 1 ? "file" : "files"));
     for (const std::string& failure : started.failures)
         progress.note(failure);
     if (animation.has_no_step())
