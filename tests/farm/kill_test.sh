@@ -36,15 +36,16 @@ while [ $kills -lt "$count" ]; do
         0) finished=$((finished + 1)) ;;
         *) echo "a run ended with $status" && exit 1 ;;
         esac
+        leftovers=$((leftovers + $(find "$D/killed" -name '.*.tmp' | wc -l)))
         for file in "$D"/killed/f.*; do
             [ -e "$file" ] || continue
             cmp "$file" "$D/plain/${file##*/}"
         done
     done
-    leftovers=$((leftovers + $(find "$D/killed" -name '.*.tmp' | wc -l)))
+    echo "a part" >"$D/killed/.f.07.$ending.$(head -c 8 /proc/sys/kernel/random/boot_id)01234567.tmp"
     "${run[@]}" --skip-existing
     (cd "$D" && diff -r killed plain)
     rounds=$((rounds + 1))
 done
 echo "$kills runs were killed and $finished were too quick, in $rounds rounds: no part of a frame, the same bytes"
-echo "$leftovers unfinished files were there before the last runs, and none after them"
+echo "$leftovers unfinished files were found after runs, and none at the end"
