@@ -8,25 +8,6 @@
 
 namespace proxima {
 
-/// Walks like walk_to_end. Returns in how many voxels, or bricks of a cloud, the ray has looked.
-template <class Walk, class Real, class Visitor>
-HD uint32_t count_turns(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
-    Walk walk(grid, ray);
-    uint32_t turns = 1;
-    while (walk.turn(grid, visitor))
-        ++turns;
-    return turns;
-}
-template <class Real, class Visitor>
-HD uint32_t count_lookups(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
-    constexpr RoundShapes shapes = RoundShapes::all;
-    if (!grid.cloud.in_use())
-        return count_turns<StepWalk<shapes, Real>>(grid, ray, visitor);
-    if (grid.cloud.metric == Metric::city_block || grid.cloud.metric == Metric::euclidean)
-        return count_turns<LeapWalk<shapes, LeapKind::by_length, Real>>(grid, ray, visitor);
-    return count_turns<LeapWalk<shapes, LeapKind::by_blocks, Real>>(grid, ray, visitor);
-}
-
 /// Pixel -> its layers. `Path` is the precision in which the picture's paths are followed, so that both see the same.
 template <class Real, class Path> struct TraceAovs {
     SceneView<Real> scene;
@@ -68,7 +49,7 @@ private:
         BasedRay<Real> beside = based;
         beside.meets_bounds = based.meets_bounds && !walks;
         visit_all<RoundShapes::all>(scene, beside, visitor);
-        return walks ? count_lookups(scene.grid, based.ray, visitor) : 0;
+        return walks ? walk<RoundShapes::all>(scene.grid, based.ray, visitor) : 0;
     }
 };
 

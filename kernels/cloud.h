@@ -22,8 +22,9 @@ struct CloudView {
     Vec3<int32_t> size{0}; ///< in bricks
     int32_t shift = 0;     ///< a brick is 2^shift voxels long
     Metric metric = Metric::chessboard;
-    std::span<uint8_t> distances; ///< of all bricks, eight times over for octants: bit a of the octant: axis a upwards
-    std::span<uint32_t> ranks;    ///< of an occupied brick among the occupied ones, in no order
+    std::span<uint8_t>
+        distances{};             ///< of all bricks, eight times over for octants: bit a of the octant: axis a upwards
+    std::span<uint32_t> ranks{}; ///< of an occupied brick among the occupied ones, in no order
 
     HD bool in_use() const { return size.x > 0; }
     HD uint32_t brick_count() const { return uint32_t(size.x) * uint32_t(size.y) * uint32_t(size.z); }

@@ -52,8 +52,8 @@ struct DistancePass {
     int32_t axis = 0;
     int32_t piece = 1;                 ///< bricks an item
     std::span<const uint8_t> occupied; ///< 0 where a brick is
-    std::span<const uint8_t> in;
-    std::span<uint8_t> out;
+    std::span<const uint8_t> in{};
+    std::span<uint8_t> out{};
 
     HD uint32_t maps() const { return cloud.metric == Metric::octant ? 2u << axis : 1; }
     HD uint32_t lines() const { return cloud.brick_count() / uint32_t(cloud.size[axis]); }

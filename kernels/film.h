@@ -39,8 +39,8 @@ struct FilmView {
     uint32_t grid_side = 1;
     float origin = 0.0f;
     float step = 1.0f;
-    uint32_t first_row = 0;   ///< of a band of a larger film: what is traced does not depend on where that is cut
-    std::span<uint8_t> marks; ///< a SampleMark a pixel: only what is wanted is traced; without marks, all
+    uint32_t first_row = 0;     ///< of a band of a larger film: what is traced does not depend on where that is cut
+    std::span<uint8_t> marks{}; ///< a SampleMark a pixel: only what is wanted is traced; without marks, all
 
     HD uint32_t columns() const { return picture_width ? picture_width : width; }
     HD uint32_t rows() const { return picture_height ? picture_height : height; }

@@ -64,9 +64,9 @@ struct Pigment {
 
     PigmentKind kind = PigmentKind::solid;
     uint32_t transform = no_transform;
-    uint32_t pattern = 0;      ///< index of its Pattern, when it has a colour map
-    PigmentColor color;        ///< the colour, or the pattern's first one
-    PigmentColor second_color; ///< the checker's second colour
+    uint32_t pattern = 0;        ///< index of its Pattern, when it has a colour map
+    PigmentColor color{};        ///< the colour, or the pattern's first one
+    PigmentColor second_color{}; ///< the checker's second colour
 };
 
 /// How a surface reflects. Defaults are POV-Ray's. Albedo spellings are already folded into the amounts.

@@ -80,16 +80,22 @@ HD constexpr MotionOp spline_op(SplineKind kind) {
     return MotionOp(uint8_t(MotionOp::linear_spline) + uint8_t(kind));
 }
 
+/// Where a program keeps its numbers. Not cleared: it writes each of them before it reads it.
+struct Registers {
+    double values[MotionOperand::registers];
+    HD Registers() {}
+};
+
 /// Evaluates one instance of a program into results[0 ... result_count). False when a number on the way is not finite:
 /// then the script itself has to say what the frame is. `with_splines`: some program of the view has splines; they take
 /// registers, which the others would wait for.
 template <bool with_splines>
 HD bool evaluate(const MotionView& motion, const MotionProgram& program, uint32_t instance, const MotionTime& time,
                  double* results) {
-    double registers[MotionOperand::registers];
+    Registers registers;
     const auto operand = [&](uint8_t code) {
         if (code < MotionOperand::registers)
-            return registers[code];
+            return registers.values[code];
         if (code >= MotionOperand::first_own)
             return motion.constants[program.first_constant +
                                     uint64_t(code - MotionOperand::first_own) * program.instances + instance];
@@ -105,7 +111,7 @@ HD bool evaluate(const MotionView& motion, const MotionProgram& program, uint32_
         const double left = operand(instruction.left);
         if (instruction.op == MotionOp::pick) {
             if (left != 0)
-                registers[instruction.result] = operand(instruction.right);
+                registers.values[instruction.result] = operand(instruction.right);
             continue;
         }
         const double right = operand(instruction.right);
@@ -115,7 +121,7 @@ HD bool evaluate(const MotionView& motion, const MotionProgram& program, uint32_
         else
             result = apply(instruction.op, left, right);
         finite &= magnitude(result) < infinity<double>;
-        registers[instruction.result] = result;
+        registers.values[instruction.result] = result;
     }
     for (uint32_t k = 0; k < result_count(program.target); ++k)
         results[k] = operand(motion.outputs[program.first_output + k]);

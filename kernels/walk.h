@@ -173,20 +173,23 @@ private:
     uint32_t map_ = 0; ///< where the ray's octant begins
 };
 
-/// Shows a visitor the lists of the voxels along a ray, in order, until it is done.
+/// Shows a visitor the lists of the voxels along a ray, in order, until it is done. Returns how many voxels, and bricks
+/// of a cloud, were looked up.
 template <class Walk, class Real, class Visitor>
-HD void walk_to_end(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
+HD uint32_t walk_to_end(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
     Walk walk(grid, ray);
-    while (walk.turn(grid, visitor)) {
-    }
+    uint32_t turns = 1;
+    while (walk.turn(grid, visitor))
+        ++turns;
+    return turns;
 }
 template <RoundShapes shapes, class Real, class Visitor>
-HD void walk(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
+HD uint32_t walk(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
     if (!grid.cloud.in_use())
         return walk_to_end<StepWalk<shapes, Real>>(grid, ray, visitor);
     if (grid.cloud.metric == Metric::city_block || grid.cloud.metric == Metric::euclidean)
         return walk_to_end<LeapWalk<shapes, LeapKind::by_length, Real>>(grid, ray, visitor);
-    walk_to_end<LeapWalk<shapes, LeapKind::by_blocks, Real>>(grid, ray, visitor);
+    return walk_to_end<LeapWalk<shapes, LeapKind::by_blocks, Real>>(grid, ray, visitor);
 }
 
 } // namespace proxima
