@@ -2,7 +2,7 @@
 // #fopen, #read and #fclose. Values and refusals of POV-Ray 3.7.
 #include "parser/data_file.h"
 #include "parser/scene_script.h"
-#include "tests/parser/folder.h"
+#include "tests/folder.h"
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The front door: a file on disk, its includes, evaluated for several frames.
 #include "parser/scene_script.h"
-#include "tests/parser/folder.h"
+#include "tests/folder.h"
 
 #include <cstdio>
 #include <doctest/doctest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parser/source_files.h"
 #include "renderer/atomic_file.h"
+#include "tests/folder.h"
 
 #include <algorithm>
 #include <csignal>
@@ -27,14 +28,7 @@ std::string content(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// An empty folder, gone with the test.
-struct Folder {
-    fs::path path = fs::absolute("atomic_file_test");
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
+struct Folder : testing::Folder {
     size_t entries() const { return size_t(std::distance(fs::directory_iterator(path), {})); }
 };
 

@@ -2,6 +2,7 @@
 #include "renderer/atomic_file.h"
 #include "renderer/leftovers.h"
 #include "renderer/temporary_name.h"
+#include "tests/folder.h"
 
 #include <chrono>
 #include <doctest/doctest.h>
@@ -13,15 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An empty folder, gone with the test.
-struct Folder {
-    fs::path path = fs::absolute("leftovers_test");
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-
+struct Folder : testing::Folder {
     /// A file that nobody holds.
     fs::path leave(const fs::path& name, std::chrono::minutes age = std::chrono::minutes(0)) const {
         std::ofstream(path / name) << "half a picture";
