@@ -22,11 +22,17 @@ template <class Real> HD Camera<Real> camera_in(const Camera<double>& camera) {
 }
 
 /// The ray through (x, y) of the picture, both in [-0.5, 0.5]; y points up.
-template <class Real> HD Ray<Real> camera_ray(const Camera<Real>& camera, Real x, Real y) {
+template <class Real> HD_INNER Ray<Real> camera_ray(const Camera<Real>& camera, Real x, Real y) {
     const Vec3<Real> across = x * camera.right + y * camera.up;
-    if (camera.kind == CameraKind::orthographic)
-        return {camera.location + across, glm::normalize(camera.direction)};
-    return {camera.location, glm::normalize(camera.direction + across)};
+    const bool is_parallel = camera.kind == CameraKind::orthographic;
+    const Vec3<Real> from = camera.location + across, towards = camera.direction + across;
+    Ray<Real> ray;
+    for (int i = 0; i < 3; ++i) { // without branches, for loops over rays
+        ray.origin[i] = is_parallel ? from[i] : camera.location[i];
+        ray.direction[i] = is_parallel ? camera.direction[i] : towards[i];
+    }
+    ray.direction = glm::normalize(ray.direction);
+    return ray;
 }
 
 } // namespace proxima

@@ -86,13 +86,20 @@ template <class Real> HD SampleOffset<Real> sample_offset(const FilmView& film, 
             (Real(index / film.grid_side) + Real(0.5)) / Real(film.grid_side)};
 }
 
-/// The camera ray through a sample of a pixel of the whole film.
+/// The camera ray through a place of a pixel of the whole film.
+template <class Real>
+HD_INNER Ray<Real> pixel_ray(const Camera<Real>& camera, const FilmView& film, PixelPosition pixel,
+                             const SampleOffset<Real>& offset) {
+    // As signed numbers: few processors have vector instructions for the others.
+    const Real x = Real(int32_t(pixel.x)) * Real(film.step) + Real(film.origin) + offset.x;
+    const Real y = Real(int32_t(pixel.y)) * Real(film.step) + Real(film.origin) + offset.y;
+    return camera_ray(camera, x / Real(film.columns()) - Real(0.5), Real(0.5) - y / Real(film.rows()));
+}
+
+/// The camera ray through a sample.
 template <class Real>
 HD Ray<Real> pixel_ray(const Camera<Real>& camera, const FilmView& film, PixelPosition pixel, uint32_t sample) {
-    const SampleOffset<Real> offset = sample_offset<Real>(film, sample);
-    const Real x = Real(pixel.x) * Real(film.step) + Real(film.origin) + offset.x;
-    const Real y = Real(pixel.y) * Real(film.step) + Real(film.origin) + offset.y;
-    return camera_ray(camera, x / Real(film.columns()) - Real(0.5), Real(0.5) - y / Real(film.rows()));
+    return pixel_ray(camera, film, pixel, sample_offset<Real>(film, sample));
 }
 
 HD inline float srgb_to_linear(float v) {

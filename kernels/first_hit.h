@@ -16,6 +16,7 @@ inline constexpr uint32_t most_blocks = 12;
 /// A pass over a wave of pixels in tiled order; one sample of each.
 template <class Real> struct FirstHitPass {
     static constexpr uint32_t most_lights = 32; ///< bits of a number
+    static constexpr uint64_t nowhere = ~uint64_t(0);
 
     SceneView<Real> scene;
     FilmView film;
@@ -24,19 +25,33 @@ template <class Real> struct FirstHitPass {
     uint64_t first = 0;          ///< of the wave
     uint32_t sample = 0;
 
-    /// Calls visit(place in the film, camera ray) unless nothing is to be done.
-    template <class Visit> HD void at(uint32_t index, const Visit& visit) const {
+    /// Where pixel `index` of the wave lies in the film; `nowhere` where nothing is to be done.
+    HD uint64_t place_of(uint32_t index) const {
         const PixelPosition pixel = tiled_pixel(first + index, film.width);
         if (pixel.x >= film.width || pixel.y >= film.height)
-            return;
+            return nowhere;
         const uint64_t place = uint64_t(pixel.y) * film.width + pixel.x;
-        if (!film.marks.empty() && film.marks[place] != sample_wanted)
-            return;
-        const SourcedRay<Real> ray{pixel_ray(camera_in<Real>(scene.camera), film, film.in_whole(pixel), sample), {}};
-        visit(place, ray);
+        return film.marks.empty() || film.marks[place] == sample_wanted ? place : nowhere;
+    }
+    /// Calls visit(place in the film, camera ray) unless nothing is to be done.
+    template <class Visit> HD void at(uint32_t index, const Visit& visit) const {
+        const uint64_t place = place_of(index);
+        if (place != nowhere)
+            visit(place, SourcedRay<Real>{pixel_ray(camera_in<Real>(scene.camera), film,
+                                                    film.in_whole(tiled_pixel(first + index, film.width)), sample),
+                                          {}});
     }
     HD Surface<Real> surface_of(const SourcedRay<Real>& ray, const Hit<Real>& hit) const {
         return surface_at(scene, ray, rebase(ray, scene.geometry.bounds), hit);
+    }
+    /// The light that comes back along a ray's direction. `surface`: that it met first, or null; `shadows`: bit i says
+    /// that light i does not shine there.
+    HD Vec3<Real> light_of(const Vec3<Real>& direction, const Surface<Real>* surface, uint32_t shadows) const;
+    /// Adds a sample's light to a pixel of the film.
+    HD void add(uint64_t place, const Vec3<Real>& light) const {
+        film.pixels[place] = sample == 0 ? glm::vec3(light) : film.pixels[place] + glm::vec3(light);
+        if (!film.marks.empty() && sample + 1 == film.samples)
+            film.marks[place] = sample_known;
     }
 };
 
@@ -52,6 +67,24 @@ template <class Real> struct PlainLight {
     }
     HD bool shines() const { return arriving != Vec3<Real>(Real(0)); }
 };
+
+template <class Real>
+HD Vec3<Real> FirstHitPass<Real>::light_of(const Vec3<Real>& direction, const Surface<Real>* surface,
+                                           uint32_t shadows) const {
+    if (Real(1) < Real(scene.adc_bailout))
+        return Vec3<Real>(Real(0));
+    if (!surface)
+        return Vec3<Real>(scene.background);
+    const LayerStack<Real, true> layers{scene, *surface, -glm::dot(direction, surface->normal), Real(1)};
+    Vec3<Real> sum = layers.glow();
+    for (uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const Light<Real>& light = scene.lights[i];
+        const PlainLight<Real> seen(light, *surface);
+        if (seen.shines() && !(shadows >> i & 1))
+            sum += layers.reflected({surface->normal, seen.ray.direction, direction}, seen.arriving, !light.shadowless);
+    }
+    return sum;
+}
 
 /// Pixel -> what its ray meets first.
 template <class Real, RoundShapes shapes> struct FindFirstHits {
@@ -103,32 +136,14 @@ template <class Real> struct ShadeFirstHits {
 
     HD void operator()(uint32_t index) const {
         pass.at(index, [&](uint64_t place, const SourcedRay<Real>& ray) {
-            const FilmView& film = pass.film;
             const Hit<Real> hit = pass.hits[index];
-            Vec3<Real> light(Real(0));
-            if (!(Real(1) < Real(pass.scene.adc_bailout)))
-                light = hit.primitive == no_primitive ? Vec3<Real>(pass.scene.background)
-                                                      : light_of(ray, pass.surface_of(ray, hit), pass.shadows[index]);
-            film.pixels[place] = pass.sample == 0 ? glm::vec3(light) : film.pixels[place] + glm::vec3(light);
-            if (!film.marks.empty() && pass.sample + 1 == film.samples)
-                film.marks[place] = sample_known;
+            if (hit.primitive == no_primitive) {
+                pass.add(place, pass.light_of(ray.ray.direction, nullptr, 0));
+            } else {
+                const Surface<Real> surface = pass.surface_of(ray, hit);
+                pass.add(place, pass.light_of(ray.ray.direction, &surface, pass.shadows[index]));
+            }
         });
-    }
-
-private:
-    HD Vec3<Real> light_of(const SourcedRay<Real>& ray, const Surface<Real>& surface, uint32_t shadows) const {
-        const SceneView<Real>& scene = pass.scene;
-        const Vec3<Real>& direction = ray.ray.direction;
-        const LayerStack<Real, true> layers{scene, surface, -glm::dot(direction, surface.normal), Real(1)};
-        Vec3<Real> sum = layers.glow();
-        for (uint32_t i = 0; i < scene.lights.size(); ++i) {
-            const Light<Real>& light = scene.lights[i];
-            const PlainLight<Real> seen(light, surface);
-            if (seen.shines() && !(shadows >> i & 1))
-                sum +=
-                    layers.reflected({surface.normal, seen.ray.direction, direction}, seen.arriving, !light.shadowless);
-        }
-        return sum;
     }
 };
 

@@ -65,21 +65,35 @@ template <class Real> struct Chord {
     HD_INNER Real beyond(Real nearest) const { return near > nearest ? near : far > nearest ? far : infinity<Real>; }
 };
 
-/// A sphere's chord along `ray`, which must be longer than 2 sqrt(min_half_chord2).
+/// How a ray comes near a sphere.
+template <class Real> struct Approach {
+    Real closest;     ///< distance along the ray to its closest point
+    Real half_chord2; ///< negative when it misses
+    Real power;       ///< of the ray's origin: its squared distance from the centre less the squared radius
+};
+
 /// Stable form: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
-template <class Real>
-HD_INNER Chord<Real> chord(const Sphere<Real>& sphere, const Ray<Real>& ray, Real min_half_chord2) {
+template <class Real> HD_INNER Approach<Real> approach(const Sphere<Real>& sphere, const Ray<Real>& ray) {
     const Vec3<Real> from_center = ray.origin - sphere.center;
     const Real b = -glm::dot(from_center, ray.direction);
     const Vec3<Real> closest = from_center + b * ray.direction;
     const Real radius2 = sphere.radius * sphere.radius;
-    const Real half_chord2 = radius2 - glm::dot(closest, closest);
-    if (!(half_chord2 > min_half_chord2))
-        return {};
-    const Real half_chord = square_root(half_chord2);
-    const Real q = b < 0 ? b - half_chord : b + half_chord;
-    const Real other = (glm::dot(from_center, from_center) - radius2) / q;
-    return b < 0 ? Chord<Real>{q, other} : Chord<Real>{other, q};
+    return {b, radius2 - glm::dot(closest, closest), glm::dot(from_center, from_center) - radius2};
+}
+
+/// The chord of a ray that does not miss.
+template <class Real> HD_INNER Chord<Real> chord(const Approach<Real>& met) {
+    const Real half_chord = square_root(met.half_chord2);
+    const Real q = met.closest < 0 ? met.closest - half_chord : met.closest + half_chord;
+    const Real other = met.power / q;
+    return {met.closest < 0 ? q : other, met.closest < 0 ? other : q};
+}
+
+/// A sphere's chord along `ray`, which must be longer than 2 sqrt(min_half_chord2).
+template <class Real>
+HD_INNER Chord<Real> chord(const Sphere<Real>& sphere, const Ray<Real>& ray, Real min_half_chord2) {
+    const Approach<Real> met = approach(sphere, ray);
+    return met.half_chord2 > min_half_chord2 ? chord(met) : Chord<Real>{};
 }
 
 /// The smallest of a sphere's two distances along `ray` that lies beyond `nearest`; infinity when there is none.
@@ -120,22 +134,20 @@ template <class Real> struct Span {
     Real exit = infinity<Real>;
 };
 
-template <class Real> HD Span<Real> intersect(const Box<Real>& box, const Ray<Real>& ray) {
+template <class Real> HD_INNER Span<Real> intersect(const Box<Real>& box, const Ray<Real>& ray) {
     Span<Real> span;
+    bool passes_by = false;
     for (int i = 0; i < 3; ++i) {
         const Real origin = ray.origin[i];
-        if (ray.direction[i] == 0) { // no division: 0 / 0 on a face would lose the ray
-            if (origin < box.lower[i] || origin > box.upper[i])
-                return {Real(1), Real(0)};
-            continue;
-        }
+        const bool stands = ray.direction[i] == 0; // 0 / 0 on a face would lose the ray
         const Real inverse = Real(1) / ray.direction[i];
-        const Real low = (box.lower[i] - origin) * inverse;
-        const Real high = (box.upper[i] - origin) * inverse;
+        const Real low = stands ? -infinity<Real> : (box.lower[i] - origin) * inverse;
+        const Real high = stands ? infinity<Real> : (box.upper[i] - origin) * inverse;
         span.enter = larger(span.enter, smaller(low, high));
         span.exit = smaller(span.exit, larger(low, high));
+        passes_by = passes_by | (stands & ((origin < box.lower[i]) | (origin > box.upper[i])));
     }
-    return span;
+    return {passes_by ? Real(1) : span.enter, passes_by ? Real(0) : span.exit};
 }
 
 } // namespace proxima

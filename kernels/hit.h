@@ -34,18 +34,19 @@ template <class Real> struct BasedRay {
 };
 
 /// The way to the bounds is measured in the precision of the path; what is met from there needs only Real.
-template <class Real, class Path> HD BasedRay<Real> rebase(const SourcedRay<Path>& from, const Box<Real>& bounds) {
+template <class Real, class Path>
+HD_INNER BasedRay<Real> rebase(const SourcedRay<Path>& from, const Box<Real>& bounds) {
     const Span<Path> span = intersect(Box<Path>{Vec3<Path>(bounds.lower), Vec3<Path>(bounds.upper)}, from.ray);
     const bool meets_bounds = span.enter <= span.exit;
-    const Path offset = meets_bounds && span.enter > 0 ? span.enter : Path(0);
+    const Path offset = meets_bounds & (span.enter > 0) ? span.enter : Path(0);
     BasedRay<Real> based{{Vec3<Real>(from.ray.origin), Vec3<Real>(from.ray.direction)},
                          {from.source.primitive, Real(from.source.exit - offset)},
                          Real(offset),
                          meets_bounds};
-    if (offset > 0) {
-        const Vec3<Path> entry = from.ray.origin + offset * from.ray.direction;
-        for (int i = 0; i < 3; ++i)
-            based.ray.origin[i] = clamped(Real(entry[i]), bounds.lower[i], bounds.upper[i]);
+    const Vec3<Path> entry = from.ray.origin + offset * from.ray.direction;
+    for (int i = 0; i < 3; ++i) {
+        const Real inside = clamped(Real(entry[i]), bounds.lower[i], bounds.upper[i]);
+        based.ray.origin[i] = offset > 0 ? inside : based.ray.origin[i];
     }
     return based;
 }
@@ -79,6 +80,10 @@ template <class Real> struct Search {
         const bool counts =
             source.primitive != no_primitive && source.exit > larger(beyond(source.primitive), -ray.offset);
         return counts ? source.exit : infinity<Real>;
+    }
+    /// Whether a shadow ray leaves the primitive that it starts on before `farthest`, and that one casts a shadow.
+    HD bool is_shadowed_by_source(Real farthest) const {
+        return distance_to_exit() < farthest && casts_shadow(ray.source.primitive);
     }
     /// Whether a primitive's material has one of these bits of Material::flags.
     HD bool is_one_of(uint32_t flags, uint32_t id) const {
@@ -122,9 +127,8 @@ private:
 /// Stops at the first hit of a primitive that casts a shadow.
 template <class Real> class AnyHit {
 public:
-    HD AnyHit(const Search<Real>& search, Real farthest) : search_(search), farthest_(farthest) {
-        take(search.ray.source.primitive, search.distance_to_exit());
-    }
+    HD AnyHit(const Search<Real>& search, Real farthest)
+        : search_(search), farthest_(farthest), found_(search.is_shadowed_by_source(farthest)) {}
 
     HD_INNER bool meet(uint32_t id) { return consider(id, search_.distance_to(id)); }
     HD_INNER bool meet_sphere(uint32_t id) { return consider(id, search_.distance_to_sphere(id)); }
@@ -134,17 +138,13 @@ public:
 private:
     HD_INNER bool consider(uint32_t id, Real t) {
         if (t < farthest_ && id != search_.ray.source.primitive)
-            take(id, t);
-        return found_;
-    }
-    HD_INNER void take(uint32_t id, Real t) {
-        if (t < farthest_)
             found_ = search_.casts_shadow(id);
+        return found_;
     }
 
     Search<Real> search_;
     Real farthest_;
-    bool found_ = false;
+    bool found_;
 };
 
 } // namespace proxima

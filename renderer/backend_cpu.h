@@ -5,6 +5,7 @@
 #include "renderer/device_error.h"
 #include "renderer/image.h"
 #include "renderer/memory_meter.h"
+#include "renderer/vector_instructions.h"
 
 #include <algorithm>
 #include <chrono>
@@ -30,6 +31,7 @@ public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
     static constexpr uint32_t fewest_for_cloud = 5'000; ///< primitives
+    static constexpr bool traces_packets = true;        ///< has for_each_packet
     static constexpr bool is_immediate = true;          ///< a verb is done when it returns
 
     /// `threads` 0 is one for each core that the process may use; there are never more.
@@ -60,6 +62,19 @@ public:
                     const Kernel local = kernel; // the compiler sees that nothing else writes to it
                     for (uint32_t i = range.begin(); i != range.end(); ++i)
                         local(i);
+                },
+                cancellation_);
+        });
+    }
+
+    /// The same for kernels that work on packets of rays, with the widest vector instructions that the processor has.
+    template <class Kernel> void for_each_packet(uint32_t count, const Kernel& kernel) {
+        arena_.execute([&] {
+            tbb::parallel_for(
+                tbb::blocked_range<uint32_t>(0, count, 4),
+                [&](const auto& range) {
+                    for (uint32_t i = range.begin(); i != range.end(); ++i)
+                        run_with_vectors(kernel, i);
                 },
                 cancellation_);
         });

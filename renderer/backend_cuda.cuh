@@ -50,6 +50,7 @@ class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
     static constexpr uint32_t fewest_for_cloud = 50'000; ///< primitives; with fewer, launches cost more than steps
+    static constexpr bool traces_packets = false;
     static constexpr bool is_immediate = false;          ///< verbs are done after the next synchronize()
 
     explicit CudaBackend(int ordinal = 0)

@@ -2,7 +2,7 @@
 // Traces a film on a backend: by the smallest kernels that do all that the scene has, as many pixels at a time as there
 // is memory for. A scene with its grid and a film come in; the film's sums of samples go out.
 #pragma once
-#include "kernels/first_hit.h"
+#include "kernels/first_hit_tile.h"
 #include "renderer/antialiaser.h"
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
@@ -40,6 +40,7 @@ public:
     }
 
 private:
+    static constexpr uint32_t most_tiles = 1u << 20; ///< traced at a time: whose indices of pixels fit in 32 bits
     template <class T> using Buffer = typename Backend::template Buffer<T>;
     using WaitingPrecision = PathPrecision<Real, Features::all>;
     using WaitingPath = PathState<Real, WaitingPrecision>;
@@ -80,6 +81,9 @@ private:
 
     /// The same for scenes whose paths end at their first surface.
     template <RoundShapes shapes> void trace_first_hits(const SceneView<Real>& scene, const FilmView& film) {
+        if constexpr (Backend::traces_packets && shapes == RoundShapes::spheres)
+            if (scene.grid.in_use() && !scene.grid.cloud.in_use())
+                return trace_tiles(scene, film);
         const uint64_t pixels = tiled_pixel_count(film.width, film.height);
         const uint32_t wave = wave_size(pixels, 1);
         hits_.resize(wave);
@@ -94,6 +98,20 @@ private:
             }
             if (wave < pixels)
                 wait();
+        }
+    }
+
+    /// The same where rays go as packets.
+    void trace_tiles(const SceneView<Real>& scene, const FilmView& film) {
+        using Tile = TraceFirstHitTile<Real>;
+        const uint64_t tiles = tiled_pixel_count(film.width, film.height) / Tile::lanes;
+        FirstHitPass<Real> pass{scene, film, {}, {}};
+        for (uint64_t first = 0; first < tiles; first += most_tiles) {
+            pass.first = first * Tile::lanes;
+            const uint32_t count = uint32_t(std::min<uint64_t>(most_tiles, tiles - first));
+            for (pass.sample = 0; pass.sample < film.samples; ++pass.sample)
+                backend_.for_each_packet(count, Tile{pass});
+            wait();
         }
     }
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays side by side, for processors with vector instructions: each number of theirs is an array over the lanes, and
+// what is done to all of them is a loop that compilers turn into such instructions. A lane computes what a ray alone
+// would, to the last bit.
+#pragma once
+#include "kernels/film.h"
+#include "kernels/traverse.h"
+
+namespace proxima {
+
+/// Based rays, and what each of them has met so far.
+template <class Real> struct alignas(64) RayPacket {
+    static constexpr uint32_t lanes = tile_width * tile_height;
+
+    Real origin[3][lanes];
+    Real direction[3][lanes];
+    Real offset[lanes]; ///< as in BasedRay
+    uint32_t meets_bounds[lanes];
+    uint32_t source[lanes];    ///< the primitive that the ray starts on
+    Real exit[lanes];          ///< as in RaySource
+    Real nearest[lanes];       ///< hits count beyond
+    Real reach[lanes];         ///< and up to here; -infinity for a lane that looks for nothing, or nothing more
+    uint32_t primitive[lanes]; ///< that was met at `reach`, or no_primitive
+
+    /// A ray that looks for hits between two distances from its own origin.
+    HD_INNER void set(uint32_t lane, const BasedRay<Real>& ray, Real from, Real farthest) {
+        for (int i = 0; i < 3; ++i) {
+            origin[i][lane] = ray.ray.origin[i];
+            direction[i][lane] = ray.ray.direction[i];
+        }
+        offset[lane] = ray.offset;
+        meets_bounds[lane] = ray.meets_bounds;
+        source[lane] = ray.source.primitive;
+        exit[lane] = ray.source.exit;
+        nearest[lane] = from - ray.offset;
+        reach[lane] = farthest - ray.offset;
+        primitive[lane] = no_primitive;
+    }
+    /// A lane without a ray.
+    HD_INNER void set_idle(uint32_t lane) {
+        set(lane, {{Vec3<Real>(Real(0)), Vec3<Real>(Real(1))}, {}, Real(0), false}, Real(0), -infinity<Real>);
+    }
+    HD_INNER Ray<Real> ray(uint32_t lane) const {
+        return {{origin[0][lane], origin[1][lane], origin[2][lane]},
+                {direction[0][lane], direction[1][lane], direction[2][lane]}};
+    }
+    HD_INNER BasedRay<Real> based(uint32_t lane) const {
+        return {ray(lane), {source[lane], exit[lane]}, offset[lane], meets_bounds[lane] != 0};
+    }
+    HD_INNER bool is_idle(uint32_t lane) const { return reach[lane] == -infinity<Real>; }
+    HD_INNER bool all_idle() const {
+        uint32_t busy = 0;
+        for (uint32_t lane = 0; lane < lanes; ++lane)
+            busy |= is_idle(lane) ? 0u : 1u;
+        return busy == 0;
+    }
+};
+
+/// What the rays of a packet look for, as NearestHit and AnyHit do for one.
+enum class Sought { nearest, any };
+
+/// Meets all rays of a packet with one primitive after the other.
+template <Sought sought, class Real> class PacketVisitor {
+public:
+    static constexpr uint32_t lanes = RayPacket<Real>::lanes;
+
+    HD PacketVisitor(const SceneView<Real>& scene, RayPacket<Real>& rays) : scene_(scene), rays_(rays) {}
+
+    HD_INNER void meet_sphere(uint32_t id) {
+        if (sought == Sought::any && !casts_shadow(id))
+            return;
+        const Sphere<Real> sphere = scene_.geometry.spheres[id];
+        const Real least = scene_.limits.min_half_chord2;
+        alignas(64) Real closest[lanes], half_chord2[lanes], power[lanes];
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            const Approach<Real> met = approach(sphere, rays_.ray(lane));
+            closest[lane] = met.closest;
+            half_chord2[lane] = met.half_chord2;
+            power[lane] = met.power;
+        }
+        for (uint32_t first = 0; first < lanes; first += group) {
+            uint32_t near = 0;
+            for (uint32_t lane = first; lane < first + group; ++lane)
+                near |= half_chord2[lane] > least ? 1u : 0u;
+            if (near == 0)
+                continue;
+            for (uint32_t lane = first; lane < first + group; ++lane) {
+                const Chord<Real> met = chord(Approach<Real>{closest[lane], half_chord2[lane], power[lane]});
+                consider(lane, id, half_chord2[lane] > least ? met.beyond(rays_.nearest[lane]) : infinity<Real>);
+            }
+        }
+    }
+    HD void meet_plane(uint32_t id) {
+        if (sought == Sought::any && !casts_shadow(id))
+            return;
+        const Plane<Real> plane = scene_.geometry.plane(id);
+        for (uint32_t lane = 0; lane < lanes; ++lane)
+            consider(lane, id, intersect(plane, rays_.ray(lane), rays_.nearest[lane], scene_.limits.min_cosine));
+    }
+
+private:
+    static constexpr uint32_t group = tile_width; ///< lanes that are left out together where all miss
+
+    HD_INNER bool casts_shadow(uint32_t id) const {
+        return !scene_.has_no_shadow ||
+               !(scene_.surfaces.materials[scene_.geometry.material(id)].flags & material_no_shadow);
+    }
+    HD_INNER void consider(uint32_t lane, uint32_t id, Real t) {
+        const bool starts_here = id == rays_.source[lane];
+        const Real reach = rays_.reach[lane];
+        if (sought == Sought::any) {
+            const bool met = (t < reach) & !starts_here;
+            rays_.reach[lane] = met ? -infinity<Real> : reach;
+            rays_.primitive[lane] = met ? id : rays_.primitive[lane];
+            return;
+        }
+        const uint32_t best = rays_.primitive[lane];
+        const bool ties = (t == reach) & (best != no_primitive) & (id < best);
+        const bool takes = ((t < reach) | ties) & !starts_here;
+        rays_.reach[lane] = takes ? t : reach;
+        rays_.primitive[lane] = takes ? id : best;
+    }
+
+    const SceneView<Real>& scene_;
+    RayPacket<Real>& rays_;
+};
+
+} // namespace proxima
