@@ -32,6 +32,7 @@ Animation Animation::sequence(const std::vector<int64_t>& all_frames, std::vecto
     animation.clock_on = true;
     animation.initial_frame = *smallest;
     animation.final_frame = *largest;
+    animation.middle_frame = all_frames[all_frames.size() / 2];
     animation.frames = std::move(frames);
     return animation;
 }

@@ -24,6 +24,7 @@ struct Animation {
     std::vector<int64_t> frames{0}; ///< to render now, in this order; a still is frame 0
     int64_t initial_frame = 0;
     int64_t final_frame = 0;
+    int64_t middle_frame = 0;   ///< in the middle of all frames
     float initial_clock = 0.0f; ///< a still's clock
     float final_clock = 1.0f;
     bool clock_on = false;

@@ -22,6 +22,9 @@ public:
             render_squares(settings, picture, trace);
     }
 
+    /// Camera rays of the last picture. Method 2's may count one twice that two pixels asked for at the same time.
+    uint64_t camera_rays() const { return camera_rays_; }
+
     /// Gives the memory back.
     void free() {
         coarse_.free();
@@ -39,6 +42,7 @@ private:
         FilmView centers = resized(picture, coarse_, picture.width + 1, picture.height + 1);
         centers.origin = -1;
         trace(centers);
+        camera_rays_ = centers.pixels.size();
 
         FilmView grids = resized(picture, fine_, picture.width, picture.height);
         grids.pattern = SamplePattern::grid;
@@ -63,6 +67,7 @@ private:
         lattice.marks = cleared_marks(lattice);
         backend_.for_each(uint32_t(lattice.pixels.size()), WantCorners{lattice, (1u << levels) - 1});
         trace(lattice);
+        camera_rays_ = uint64_t(picture.width + 1) * (picture.height + 1);
         take_turns(uint32_t(picture.pixels.size()), lattice, trace,
                    DecideSquares{picture, lattice, missing_.view(), settings.threshold, levels});
     }
@@ -73,8 +78,10 @@ private:
             missing_.fill_bytes(0);
             backend_.for_each(count, decide);
             backend_.synchronize();
-            if (missing_.read(0) == 0)
+            const uint32_t missing = missing_.read(0);
+            if (missing == 0)
                 return;
+            camera_rays_ += uint64_t(missing) * film.samples;
             trace(film);
         }
     }
@@ -104,6 +111,7 @@ private:
     Buffer<uint8_t> marks_;
     Buffer<uint8_t> refined_;
     Buffer<uint32_t> missing_;
+    uint64_t camera_rays_ = 0;
 };
 
 } // namespace proxima

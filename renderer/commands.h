@@ -26,6 +26,10 @@ void plan_command(const PlanOptions& options);
 /// when it renders what render_command throws.
 void compare_command(const CompareOptions& options);
 
+/// Measures time and error of the settings that trade them, writes tables, a chart and a page, and prints the table.
+/// Throws what render_command throws.
+void tradeoff_command(const TradeoffOptions& options);
+
 /// Prints the devices as a table or as JSON.
 void devices_command(const DevicesOptions& options);
 

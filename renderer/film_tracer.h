@@ -24,11 +24,17 @@ public:
                const Antialiasing& antialiasing) {
         needs_ = needs;
         const auto trace_film = [&](const FilmView& part) { trace_pixels(scene, part); };
-        if (antialiasing.method == Antialiasing::Method::blocks || antialiasing.method == Antialiasing::Method::squares)
+        const bool looks_closer =
+            antialiasing.method == Antialiasing::Method::blocks || antialiasing.method == Antialiasing::Method::squares;
+        if (looks_closer)
             antialiaser_.render(antialiasing, film, trace_film);
         else
             trace_film(film);
+        camera_rays_ = looks_closer ? antialiaser_.camera_rays() : uint64_t(film.pixels.size()) * film.samples;
     }
+
+    /// Of the last film: see Antialiaser.
+    uint64_t camera_rays() const { return camera_rays_; }
 
     /// Gives back the memory that grows with the picture.
     void free() {
@@ -153,6 +159,7 @@ private:
 
     Backend& backend_;
     SceneNeeds needs_; ///< of the scene that is being traced
+    uint64_t camera_rays_ = 0;
     Antialiaser<Backend> antialiaser_;
     Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;

@@ -148,6 +148,7 @@ private:
             });
             finish_steps(statistics);
             is_new = !builder_ && is_incomplete();
+            statistics.camera_rays += is_new ? 0 : tracer_.camera_rays();
         } while (is_new);
         built_for_ = whole;
         (builder_ ? builder_->grid_ : grid_).report(built_.grid, statistics);

@@ -79,13 +79,15 @@ struct FrameStatistics {
     double mean_distance = 0; ///< over the cloud's empty bricks, in bricks
     double motion_ms = 0, build_ms = 0, cloud_ms = 0, relay_ms = 0, trace_ms = 0, readback_ms = 0;
     uint64_t peak_device_bytes = 0;
+    uint64_t camera_rays = 0;                           ///< of all moments
     uint64_t replaced_samples = 0, clamped_samples = 0; ///< of an image in halves
     std::string note;                                   ///< for the user: what went otherwise than it was to
 
     /// What another part of the same frame took; the grid's figures are its own.
     void add(const FrameStatistics& part) {
         const double times[6] = {motion_ms, build_ms, cloud_ms, relay_ms, trace_ms, readback_ms};
-        const uint64_t peak = peak_device_bytes, replaced = replaced_samples, clamped = clamped_samples;
+        const uint64_t peak = peak_device_bytes, replaced = replaced_samples, clamped = clamped_samples,
+                       rays = camera_rays;
         *this = part;
         motion_ms += times[0];
         build_ms += times[1];
@@ -93,6 +95,7 @@ struct FrameStatistics {
         relay_ms += times[3];
         trace_ms += times[4];
         readback_ms += times[5];
+        camera_rays += rays;
         replaced_samples += replaced;
         clamped_samples += clamped;
         peak_device_bytes = peak > peak_device_bytes ? peak : peak_device_bytes;

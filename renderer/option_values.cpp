@@ -147,15 +147,18 @@ AovLayers parse_layers(std::string_view text) {
     return layers;
 }
 
-double parse_tolerance(std::string_view text) {
+double parse_ratio(std::string_view option, std::string_view text, std::string_view example) {
     const size_t slash = std::min(text.find('/'), text.size());
     const auto above = read_number<double>(text.substr(0, slash));
     const auto below = slash == text.size() ? std::optional(1.0) : read_number<double>(text.substr(slash + 1));
     const double value = above && below ? *above / *below : -1;
     if (!std::isfinite(value) || value < 0)
-        throw UsageError(
-            fmt::format("--tolerance {}: write a number from 0, white being 1, like 0.004 or 1/255", text));
+        throw UsageError(fmt::format("{} {}: write a number from 0, white being 1, like {}", option, text, example));
     return value;
+}
+
+double parse_tolerance(std::string_view text) {
+    return parse_ratio("--tolerance", text, "0.004 or 1/255");
 }
 
 double parse_percent(std::string_view option, std::string_view text) {

@@ -41,7 +41,10 @@ std::pair<double, double> parse_shutter(std::string_view text);
 /// "depth,normal,id,steps" or some of them.
 AovLayers parse_layers(std::string_view text);
 
-/// "0.01" or "2/65535": from 0.
+/// "0.01" or "2/65535": from 0. `example` is for who wrote something else.
+double parse_ratio(std::string_view option, std::string_view text, std::string_view example);
+
+/// The same for --tolerance.
 double parse_tolerance(std::string_view text);
 
 /// "0.1": percent, as a share from 0 to 1.

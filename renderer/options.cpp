@@ -5,6 +5,7 @@
 #include "renderer/ini_options.h"
 #include "renderer/option_values.h"
 #include "renderer/render_options.h"
+#include "renderer/tradeoff_options.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 /// CLI11 would only say that a command is missing.
 void check_command_name(int argc, const char* const* argv) {
-    static constexpr std::string_view names[] = {"render", "verify", "compare", "check", "plan", "devices"};
+    static constexpr std::string_view names[] = {"render", "verify", "compare", "check", "plan", "tradeoff", "devices"};
     const std::string_view name = argc > 1 ? argv[1] : "";
     if (name.starts_with('-') || std::find(std::begin(names), std::end(names), name) != std::end(names))
         return;
@@ -46,6 +47,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     const CLI::App* verify = add_verify(app, verify_texts);
     CompareTexts compare_texts;
     const CLI::App* compare = add_compare(app, compare_texts);
+    TradeoffTexts tradeoff_texts;
+    const CLI::App* tradeoff = add_tradeoff(app, tradeoff_texts);
     CLI::App* check = app.add_subcommand("check", "Read a scene, report every mistake, count what is in it");
     add_scene(*check, check_texts);
     check->get_option("SCENE")->required();
@@ -84,6 +87,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         }
         return read_compare_options(*compare, compare_texts);
     }
+    if (tradeoff->parsed())
+        return read_tradeoff_options(*tradeoff, tradeoff_texts);
     if (check->parsed()) {
         apply_ini(*check, check_texts);
         return CheckOptions{read_scene_options(check_texts)};

@@ -10,7 +10,9 @@
 #include "renderer/frame_renderer.h"
 #include "renderer/multi_gpu.h"
 #include "renderer/output_name.h"
+#include "renderer/picture_error.h"
 #include "renderer/progress.h"
+#include "renderer/scene_overrides.h"
 
 #include <filesystem>
 #include <optional>
@@ -29,6 +31,7 @@ struct SceneOptions {
     uint32_t width = 640, height = 480; ///< pixels
     Animation animation;
     EvaluationBudget budget;
+    SceneOverrides overrides;
 };
 
 /// How several devices share the work.
@@ -38,6 +41,15 @@ struct MultiGpuOptions {
     uint32_t tile_rows = 0;    ///< 0: by the number of devices
     std::vector<Fault> faults; ///< for tests
     bool discard = false;      ///< for measurements: frames are rendered and read back, and no file is made
+};
+
+/// --max-error: the program chooses what is not kept. Trace level, bail-out, area lights and shutter are never made
+/// more accurate than asked for.
+struct QualityRequest {
+    std::string text; ///< as the user wrote it
+    ErrorLimit limit;
+    bool is_verified = false;
+    bool keeps_sampling = false, keeps_precision = false;
 };
 
 struct RenderOptions {
@@ -51,6 +63,7 @@ struct RenderOptions {
     bool dry_run = false;
     bool skip_existing = false;
     FrameSettings frame;
+    std::optional<QualityRequest> max_error;
     DeviceChoice device;
     MultiGpuOptions multi_gpu;
     unsigned threads = 0; ///< 0: one for each core that the process may use
@@ -94,6 +107,18 @@ struct PlanOptions {
     bool json = false;
 };
 
+/// Settings of one frame, measured against each other.
+struct TradeoffOptions {
+    SceneOptions scene;
+    FrameSettings frame;
+    DeviceChoice device;
+    unsigned threads = 0;
+    std::filesystem::path folder;
+    uint32_t budget = 60; ///< seconds
+    uint32_t repeats = 3;
+    bool quiet = false;
+};
+
 struct DevicesOptions {
     bool json = false;
 };
@@ -104,7 +129,7 @@ struct Information {
 };
 
 using Command = std::variant<RenderOptions, VerifyOptions, ColorChoicesOptions, CheckOptions, PlanOptions,
-                             CompareOptions, DevicesOptions, Information>;
+                             CompareOptions, TradeoffOptions, DevicesOptions, Information>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

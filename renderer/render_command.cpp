@@ -3,6 +3,7 @@
 // one thread, rendered on those of the devices, and coloured, encoded and written on the writer's.
 #include "renderer/atomic_file.h"
 #include "renderer/choose_devices.h"
+#include "renderer/choose_quality.h"
 #include "renderer/commands.h"
 #include "renderer/device_error.h"
 #include "renderer/errors.h"
@@ -12,6 +13,7 @@
 #include "renderer/frame_source.h"
 #include "renderer/frame_writer.h"
 #include "renderer/leftovers.h"
+#include "renderer/quality_setting.h"
 #include "renderer/render_workers.h"
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
@@ -84,25 +86,29 @@ unsigned writer_threads(const RenderOptions& options) {
     return options.threads > 0 ? std::min(options.threads, cores) : cores;
 }
 
-std::string precision_name(Precision precision) {
-    return precision == Precision::float64 ? "double" : "float";
+/// --max-error's choice, put into `options`.
+std::optional<QualityChoice> choose_quality(RenderOptions& options, const StopSignal& stop) {
+    if (!options.max_error)
+        return std::nullopt;
+    check_outputs(options);
+    QualityChoice choice = choose_quality(options.scene, options.frame, *options.max_error, options.threads, stop);
+    apply(choice.setting, options.scene, options.frame);
+    return choice;
 }
 
-} // namespace
+std::string describe(const QualityRequest& request, const QualityChoice& choice) {
+    return fmt::format("--max-error {}: {}; predicted {} (by {}, in {:.1f} s)", request.text, choice.options,
+                       error_text(request.limit, choice.predicted), choice.pilot, choice.ms / 1000);
+}
 
-void render_command(const RenderOptions& options) {
-    const Stopwatch wall;
-    const StopSignal stop;
+QualityRecord record_of(const QualityRequest& request, const QualityChoice& choice) {
+    return {request.text, choice.options, choice.pilot, choice.ms, choice.predicted, choice.measured};
+}
+
+/// Renders with `options`, of which `choice` is a part; `asked` is what the user wrote.
+void render_frames(const RenderOptions& options, const RenderOptions& asked, std::optional<QualityChoice> choice,
+                   const StopSignal& stop, const Stopwatch& wall) {
     Animation animation = options.scene.animation; // the frames to render
-    if (options.dry_run)
-        return print_frames(options);
-    if (animation.frames.empty()) {
-        std::fputs("proxima: note: nothing to render: there are fewer frames than shards\n", stderr);
-        return;
-    }
-    std::optional<tbb::global_control> limit;
-    if (options.threads > 0)
-        limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
     FrameFinisher finisher(options);
 
     auto starting_devices = std::async(std::launch::async, start_devices, options.device, options.threads);
@@ -133,6 +139,16 @@ void render_command(const RenderOptions& options) {
         progress.note(fmt::format("an animation of one frame has no step from clock to clock (POV-Ray's is NaN then); "
                                   "clock is {} and clock_delta 0",
                                   animation.initial_clock));
+    if (choice) {
+        progress.note(describe(*options.max_error, *choice));
+        if (options.max_error->is_verified && !animation.frames.empty()) {
+            measure_choice(*choice, asked.scene, asked.frame, animation.frames.front(),
+                           *started.devices.front().renderer, stop);
+            progress.note(fmt::format("--max-error {}: frame {} has {}", options.max_error->text,
+                                      choice->measured_frame, error_text(options.max_error->limit, *choice->measured)));
+        }
+        run.quality = record_of(*options.max_error, *choice);
+    }
     WorkPlan plan = plan_work(std::move(started.devices), options.multi_gpu, options.frame, animation.frames.size());
     FaultPlan faults(options.multi_gpu.faults);
     Timeline timeline;
@@ -183,6 +199,29 @@ void render_command(const RenderOptions& options) {
         throw;
     }
     finisher.write_page(run, {});
+    if (choice && choice->measured && !options.max_error->limit.holds(*choice->measured))
+        throw PicturesDiffer(fmt::format("--max-error {}: frame {} has {}; the frames are there, but ask for less",
+                                         options.max_error->text, choice->measured_frame,
+                                         error_text(options.max_error->limit, *choice->measured)));
+}
+
+} // namespace
+
+void render_command(const RenderOptions& asked) {
+    const Stopwatch wall;
+    const StopSignal stop;
+    if (asked.dry_run)
+        return print_frames(asked);
+    if (asked.scene.animation.frames.empty()) {
+        std::fputs("proxima: note: nothing to render: there are fewer frames than shards\n", stderr);
+        return;
+    }
+    std::optional<tbb::global_control> limit;
+    if (asked.threads > 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, asked.threads);
+    RenderOptions options = asked;
+    std::optional<QualityChoice> choice = choose_quality(options, stop);
+    render_frames(options, asked, std::move(choice), stop, wall);
 }
 
 } // namespace proxima

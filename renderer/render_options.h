@@ -16,6 +16,8 @@ struct RenderTexts {
     ColorTexts color;
     MultiGpuTexts multi_gpu;
     std::string samples = "1", antialias = "none", tolerances = "exact";
+    std::string max_error;
+    bool verify_error = false;
 };
 
 CLI::App* add_render(CLI::App& app, RenderTexts& texts);

@@ -155,7 +155,11 @@ SceneSource::Program SceneSource::evaluate(EvaluationSettings settings) {
     const std::lock_guard lock(mutex_);
     Diagnostics found; // what a later frame repeats is not said again
     Program program;
-    timed(evaluate_ms_, [&] { program = std::make_shared<const SceneProgram>(script_->evaluate(settings, found)); });
+    timed(evaluate_ms_, [&] {
+        auto scene = std::make_shared<SceneProgram>(script_->evaluate(settings, found));
+        apply(options_.overrides, *scene);
+        program = std::move(scene);
+    });
     reject_mistakes(found);
     if (!std::exchange(evaluated_, true))
         for (const Diagnostic& diagnostic : found.all())

@@ -65,6 +65,17 @@ Shutter read_shutter(const SceneTexts& texts, const Animation& animation) {
                 : parse_count("--shutter-samples", texts.shutter_samples, 1, Shutter::most_samples)};
 }
 
+SceneOverrides read_overrides(const SceneTexts& texts) {
+    SceneOverrides overrides;
+    if (!texts.max_trace_level.empty())
+        overrides.max_trace_level = parse_count("--max-trace-level", texts.max_trace_level, 1, 256);
+    if (!texts.adc_bailout.empty())
+        overrides.adc_bailout = float(parse_ratio("--adc-bailout", texts.adc_bailout, "0.01 or 1/255"));
+    if (!texts.area_places.empty())
+        overrides.area_places = parse_count("--area-places", texts.area_places, 1, AreaLight<double>::most);
+    return overrides;
+}
+
 } // namespace
 
 void add_shutter_options(CLI::App& command, SceneTexts& texts) {
@@ -75,6 +86,21 @@ void add_shutter_options(CLI::App& command, SceneTexts& texts) {
     command
         .add_option("--shutter-samples", texts.shutter_samples,
                     "Moments that a frame is the mean of: the middles of N equal parts of the exposure [16]")
+        ->type_name("N");
+}
+
+void add_override_options(CLI::App& command, SceneTexts& texts) {
+    command
+        .add_option("--max-trace-level", texts.max_trace_level,
+                    "Surfaces that a path goes on from, in place of the scene's number: 1 to 256")
+        ->type_name("N");
+    command
+        .add_option("--adc-bailout", texts.adc_bailout,
+                    "The share of a pixel below which a path ends, in place of the scene's: 0.01, 1/255")
+        ->type_name("B");
+    command
+        .add_option("--area-places", texts.area_places,
+                    "Places that an area light has along each axis, at most; 1 makes a point of it")
         ->type_name("N");
 }
 
@@ -157,6 +183,7 @@ SceneOptions read_scene_options(const SceneTexts& texts) {
         options.budget.bytes = uint64_t(parse_count("--max-memory", texts.max_memory, 1, 1'000'000'000)) << 20;
     if (!texts.max_seconds.empty())
         options.budget.seconds = parse_count("--max-seconds", texts.max_seconds, 1, 1'000'000);
+    options.overrides = read_overrides(texts);
     return options;
 }
 

@@ -15,6 +15,7 @@ struct SceneTexts {
     std::string max_steps, max_memory, max_seconds;
     std::vector<std::string> include_paths, declares;
     std::string shutter, shutter_samples;
+    std::string max_trace_level, adc_bailout, area_places;
     bool cyclic = false;
 };
 
@@ -28,6 +29,8 @@ void add_scene(CLI::App& command, SceneTexts& texts);
 void add_choice_options(CLI::App& command, SceneTexts& texts, const char* doing);
 /// --shutter and --shutter-samples.
 void add_shutter_options(CLI::App& command, SceneTexts& texts);
+/// --max-trace-level, --adc-bailout and --area-places, in place of the scene's own numbers.
+void add_override_options(CLI::App& command, SceneTexts& texts);
 /// Everything but the scene itself and those.
 void add_scene_options(CLI::App& command, SceneTexts& texts);
 void add_device_options(CLI::App& command, DeviceTexts& texts);

@@ -38,10 +38,31 @@ Json frame_json(const FrameRecord& record) {
             {"color_ms", record.color_ms},
             {"encode_ms", record.encode_ms},
             {"write_ms", record.write_ms},
+            {"camera_rays", statistics.camera_rays},
             {"peak_device_bytes", statistics.peak_device_bytes},
             {"host_bytes", record.host_bytes},
             {"replaced_samples", record.replaced_samples},
             {"clamped_samples", record.clamped_samples}};
+}
+
+Json error_json(const PictureError& error) {
+    return {{"rms", error.rms},
+            {"levels_rms", error.levels},
+            {"max", error.max},
+            {"ssim", error.ssim ? Json(*error.ssim) : Json()},
+            {"visible_share", error.visible}};
+}
+
+/// Null without --max-error.
+Json quality_json(const std::optional<QualityRecord>& quality) {
+    if (!quality)
+        return {};
+    return {{"max_error", quality->max_error},
+            {"options", quality->options},
+            {"pilot", quality->pilot},
+            {"pilot_ms", quality->pilot_ms},
+            {"predicted", error_json(quality->predicted)},
+            {"measured", quality->measured ? error_json(*quality->measured) : Json()}};
 }
 
 Json span_json(const Timeline& timeline, const TimelineSpan& span) {
@@ -63,6 +84,7 @@ std::string to_json(const RunRecord& run, const Timeline& timeline) {
               {"evaluate_ms", run.evaluate_ms},
               {"spheres", run.spheres},
               {"moving", run.moving},
+              {"quality", quality_json(run.quality)},
               {"peak_host_bytes", peak_host_bytes()},
               {"wall_ms", run.wall_ms},
               {"frames", Json::array()}};

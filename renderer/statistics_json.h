@@ -2,10 +2,12 @@
 // What a run cost, as one JSON object: the --stats-json file.
 #pragma once
 #include "renderer/frame_renderer.h"
+#include "renderer/picture_error.h"
 #include "renderer/scene_facts.h"
 #include "renderer/timeline.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,18 @@ struct FrameRecord {
     FrameStatistics statistics{};
     uint64_t replaced_samples = 0; ///< not finite, see replace_non_finite
     uint64_t clamped_samples = 0;  ///< beyond what a half holds
-    uint64_t host_bytes = 0; ///< resident when the frame was rendered
+    uint64_t host_bytes = 0;       ///< resident when the frame was rendered
     double color_ms = 0, encode_ms = 0, write_ms = 0;
+};
+
+/// What --max-error chose.
+struct QualityRecord {
+    std::string max_error; ///< as it was asked for
+    std::string options;
+    std::string pilot;
+    double pilot_ms = 0;
+    PictureError predicted;
+    std::optional<PictureError> measured{};
 };
 
 struct RunRecord {
@@ -33,6 +45,7 @@ struct RunRecord {
     double wall_ms = 0;
     uint64_t spheres = 0; ///< in the first frame; ellipsoids included
     uint64_t moving = 0;
+    std::optional<QualityRecord> quality{};
     std::vector<FrameRecord> frames{};
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The order of work of `proxima verify`.
+#include "renderer/choose_quality.h"
 #include "renderer/color.h"
 #include "renderer/commands.h"
 #include "renderer/errors.h"
@@ -38,7 +39,11 @@ std::vector<std::string> backends_of(const DeviceChoice& device) {
 } // namespace
 
 void verify_command(const VerifyOptions& verify) {
-    const RenderOptions& options = verify.render;
+    RenderOptions options = verify.render;
+    const StopSignal stop;
+    if (options.max_error)
+        apply(choose_quality(options.scene, options.frame, *options.max_error, options.threads, stop).setting,
+              options.scene, options.frame);
     SceneSource scene(options.scene);
     const FrameHash hash(options, ColorTransform(options.color).identity());
     size_t wrong = 0;
