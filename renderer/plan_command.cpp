@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/commands.h"
 #include "renderer/errors.h"
+#include "renderer/feature_plan.h"
 #include "renderer/motion_plan.h"
 #include "renderer/scene_source.h"
 
@@ -16,7 +17,8 @@ void plan_command(const PlanOptions& options) {
     scene.record_stills();
     scene.scenes(animation.frames.front());
     std::fputs(scene.messages(false).c_str(), stderr);
-    const std::vector<PlanSection> sections{motion_plan(scene.program(), scene.obstacle(), animation)};
+    const std::vector<PlanSection> sections{motion_plan(scene.program(), scene.obstacle(), animation),
+                                            feature_plan(scene.program(), animation)};
     std::fputs((options.json ? plan_json(sections) : plan_text(sections)).c_str(), stdout);
 }
 
