@@ -6,6 +6,14 @@
 
 namespace proxima {
 
+/// The whole part of log2 v; v must not be 0.
+HD inline int exponent_of(float v) {
+    return ::ilogbf(v);
+}
+HD inline int exponent_of(double v) {
+    return ::ilogb(v);
+}
+
 /// How big the primitives are and where they lie. The mean size is one in powers of two: of integers, so that every
 /// order of summation agrees.
 template <class Real> struct SizeTotal {
@@ -19,6 +27,13 @@ template <class Real> struct SizeTotal {
     }
 };
 
+/// The exponent of two of the radius from which a primitive is large: 32 times the geometric mean of all. Whole numbers
+/// throughout, so that a scene scaled by a power of two has the same large ones.
+HD constexpr int large_exponent(int64_t exponents, uint64_t count) {
+    const int64_t twice = 2 * exponents + int64_t(count), divisor = 2 * int64_t(count);
+    return int(twice / divisor - (twice % divisor < 0)) + 5;
+}
+
 /// Primitive -> its part of the SizeTotal.
 template <class Real> struct MeasureSize {
     GeometryView<Real> geometry;
@@ -27,7 +42,7 @@ template <class Real> struct MeasureSize {
         const Real radius = geometry.radius(id);
         if (!(radius > 0))
             return {};
-        return {ilogbf(float(radius)), 1, radius, geometry.box(id)};
+        return {exponent_of(radius), 1, radius, geometry.box(id)};
     }
 };
 

@@ -5,10 +5,13 @@
 #pragma once
 #include "kernels/scene_view.h"
 
+#include <type_traits>
+
 namespace proxima {
 
 /// The primitive that a ray starts on. A ray going outward cannot meet it again; one going inward meets it at `exit`,
-/// which is exact where an intersection test would have to tell 0 from almost 0.
+/// which is exact where an intersection test would have to tell 0 from almost 0. Should a scene have it twice, the
+/// second one is not there for the ray.
 template <class Real> struct RaySource {
     uint32_t primitive = no_primitive;
     Real exit = Real(0); ///< not positive: never
@@ -51,6 +54,13 @@ HD_INNER BasedRay<Real> rebase(const SourcedRay<Path>& from, const Box<Real>& bo
     return based;
 }
 
+/// The distance from a ray's origin to a sphere, by its numbers in double; else as intersect().
+HD_RARE inline float exact_distance(const Sphere<double>& sphere, const Ray<float>& ray, float nearest,
+                                    float min_half_chord2) {
+    const Ray<double> exact{Vec3<double>(ray.origin), Vec3<double>(ray.direction)};
+    return float(intersect(sphere, exact, double(nearest), double(min_half_chord2)));
+}
+
 /// What a ray looks for: hits beyond `nearest` of the based origin. The primitive that the ray starts on is told apart
 /// by those who look, and only where a test finds something.
 template <class Real> struct Search {
@@ -70,6 +80,13 @@ template <class Real> struct Search {
             return intersect(geometry.plane(id), ray.ray, beyond(id), scene.limits.min_cosine);
         return intersect(geometry.ellipsoid(id), ray.ray, beyond(id), scene.limits.min_half_chord2);
     }
+    /// The same for what is too large for the grid.
+    HD Real distance_to_large(uint32_t id) const {
+        if constexpr (std::is_same_v<Real, float>)
+            if (scene.meets_exactly(id))
+                return exact_distance(scene.exact.spheres[id], ray.ray, beyond(id), scene.limits.min_half_chord2);
+        return distance_to(id);
+    }
     HD_INNER Real distance_to_sphere(uint32_t id) const {
         const Sphere<Real> sphere = scene.geometry.spheres[id];
         return intersect(sphere, ray.ray, beyond(id), scene.limits.min_half_chord2);
@@ -84,6 +101,11 @@ template <class Real> struct Search {
     /// Whether a shadow ray leaves the primitive that it starts on before `farthest`, and that one casts a shadow.
     HD bool is_shadowed_by_source(Real farthest) const {
         return distance_to_exit() < farthest && casts_shadow(ray.source.primitive);
+    }
+    /// Whether a primitive is the one that the ray starts on once more. What holds for the one holds for the other, and
+    /// no test could tell 0 from almost 0.
+    HD bool repeats_source(uint32_t id) const {
+        return ray.source.primitive != no_primitive && scene.geometry.is_repeated(ray.source.primitive, id);
     }
     /// Whether a primitive's material has one of these bits of Material::flags.
     HD bool is_one_of(uint32_t flags, uint32_t id) const {
@@ -104,12 +126,13 @@ public:
     /// True when nothing more needs to be met.
     HD_INNER bool meet(uint32_t id) { return consider(id, search_.distance_to(id)); }
     HD_INNER bool meet_sphere(uint32_t id) { return consider(id, search_.distance_to_sphere(id)); }
+    HD bool meet_large(uint32_t id) { return consider(id, search_.distance_to_large(id)); }
     HD_INNER bool is_done(Real reached) const { return best_.t <= reached; }
     HD const Hit<Real>& best() const { return best_; }
 
 private:
     HD_INNER bool consider(uint32_t id, Real t) {
-        if (t <= best_.t && id != search_.ray.source.primitive)
+        if (t <= best_.t && id != search_.ray.source.primitive && !search_.repeats_source(id))
             take(id, t);
         return false;
     }
@@ -132,12 +155,13 @@ public:
 
     HD_INNER bool meet(uint32_t id) { return consider(id, search_.distance_to(id)); }
     HD_INNER bool meet_sphere(uint32_t id) { return consider(id, search_.distance_to_sphere(id)); }
+    HD bool meet_large(uint32_t id) { return consider(id, search_.distance_to_large(id)); }
     HD_INNER bool is_done(Real reached) const { return found_ || farthest_ <= reached; }
     HD bool found() const { return found_; }
 
 private:
     HD_INNER bool consider(uint32_t id, Real t) {
-        if (t < farthest_ && id != search_.ray.source.primitive)
+        if (t < farthest_ && id != search_.ray.source.primitive && !search_.repeats_source(id))
             found_ = search_.casts_shadow(id);
         return found_;
     }

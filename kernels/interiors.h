@@ -88,10 +88,10 @@ HD Path crossing_ior_ratio(const SceneView<Real>& scene, const InteriorList& int
 }
 
 /// The primitives around a point, opaque ones too, in the order of their ids.
-template <class Real> HD InteriorList interiors_at(const SceneView<Real>& scene, const Vec3<Real>& point) {
+template <class Path, class Real> HD InteriorList interiors_at(const SceneView<Real>& scene, const Vec3<Path>& point) {
     InteriorList list;
-    for_each_around(scene, point, [&](uint32_t id) {
-        if (contains(scene.geometry, id, point))
+    for_each_around(scene, Vec3<Real>(point), [&](uint32_t id) {
+        if (contains(shapes_of<Path>(scene), id, point))
             list.enter_sorted(id);
     });
     return list;

@@ -17,7 +17,7 @@ HD void search_packet(const SceneView<Real>& scene, RayPacket<Real>& rays, const
     for (uint32_t i = 0; i < geometry.planes.size(); ++i)
         visitor.meet_plane(geometry.round_count() + i);
     for (const uint32_t id : geometry.large)
-        visitor.meet_sphere(id);
+        visitor.meet_large(id);
     PacketWalk<Real> walk(scene.grid, rays);
     if (walk.go([&](uint32_t id) { visitor.meet_sphere(id); }))
         return;

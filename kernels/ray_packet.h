@@ -84,18 +84,32 @@ public:
                 near |= half_chord2[lane] > least ? 1u : 0u;
             if (near == 0)
                 continue;
-            for (uint32_t lane = first; lane < first + group; ++lane) {
+            alignas(64) Real t[group];
+            for (uint32_t i = 0; i < group; ++i) {
+                const uint32_t lane = first + i;
                 const Chord<Real> met = chord(Approach<Real>{closest[lane], half_chord2[lane], power[lane]});
-                consider(lane, id, half_chord2[lane] > least ? met.beyond(rays_.nearest[lane]) : infinity<Real>);
+                t[i] = half_chord2[lane] > least ? met.beyond(rays_.nearest[lane]) : infinity<Real>;
             }
+            consider(first, id, t);
         }
+    }
+    /// One that is too large for the grid: in double, where the scene has it so.
+    HD void meet_large(uint32_t id) {
+        if constexpr (std::is_same_v<Real, float>)
+            if (scene_.meets_exactly(id))
+                return meet_exactly(id);
+        meet_sphere(id);
     }
     HD void meet_plane(uint32_t id) {
         if (sought == Sought::any && !casts_shadow(id))
             return;
         const Plane<Real> plane = scene_.geometry.plane(id);
-        for (uint32_t lane = 0; lane < lanes; ++lane)
-            consider(lane, id, intersect(plane, rays_.ray(lane), rays_.nearest[lane], scene_.limits.min_cosine));
+        for (uint32_t first = 0; first < lanes; first += group) {
+            alignas(64) Real t[group];
+            for (uint32_t i = 0; i < group; ++i)
+                t[i] = intersect(plane, rays_.ray(first + i), rays_.nearest[first + i], scene_.limits.min_cosine);
+            consider(first, id, t);
+        }
     }
 
 private:
@@ -104,6 +118,35 @@ private:
     HD_INNER bool casts_shadow(uint32_t id) const {
         return !scene_.has_no_shadow ||
                !(scene_.surfaces.materials[scene_.geometry.material(id)].flags & material_no_shadow);
+    }
+    HD_RARE void meet_exactly(uint32_t id) {
+        if (sought == Sought::any && !casts_shadow(id))
+            return;
+        for (uint32_t first = 0; first < lanes; first += group) {
+            Real t[group];
+            for (uint32_t i = 0; i < group; ++i)
+                t[i] = exact_distance(scene_.exact.spheres[id], rays_.ray(first + i), rays_.nearest[first + i],
+                                      scene_.limits.min_half_chord2);
+            consider(first, id, t);
+        }
+    }
+
+    /// The rays of a group met a primitive at these distances.
+    HD_INNER void consider(uint32_t first, uint32_t id, Real (&t)[group]) {
+        leave_out_repeated(first, id, t);
+        for (uint32_t i = 0; i < group; ++i)
+            consider(first + i, id, t[i]);
+    }
+    /// Where it is what a ray starts on once more: see Search::repeats_source. The camera's rays start on nothing.
+    HD_INNER void leave_out_repeated(uint32_t first, uint32_t id, Real (&t)[group]) const {
+        uint32_t met = 0;
+        for (uint32_t i = 0; i < group; ++i)
+            met |= (t[i] <= rays_.reach[first + i]) & (rays_.source[first + i] != no_primitive) ? 1u : 0u;
+        for (uint32_t i = 0; met != 0 && i < group; ++i) {
+            const uint32_t source = rays_.source[first + i];
+            if (t[i] <= rays_.reach[first + i] && source != no_primitive && scene_.geometry.is_repeated(source, id))
+                t[i] = infinity<Real>;
+        }
     }
     HD_INNER void consider(uint32_t lane, uint32_t id, Real t) {
         const bool starts_here = id == rays_.source[lane];

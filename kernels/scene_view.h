@@ -64,6 +64,13 @@ template <class Real> struct GeometryView : ShapesView<Real> {
         const Vec3<Real> radius(spheres[id].radius);
         return {spheres[id].center - radius, spheres[id].center + radius};
     }
+    /// Whether a scene has a sphere or a plane twice: as these two.
+    HD bool is_repeated(uint32_t a, uint32_t b) const {
+        if (is_sphere(a))
+            return is_sphere(b) && spheres[a].radius == spheres[b].radius && spheres[a].center == spheres[b].center;
+        return is_plane(a) && is_plane(b) && plane(a).distance == plane(b).distance &&
+               plane(a).normal == plane(b).normal;
+    }
     /// The radius of a sphere; of an ellipsoid, half of its box's longest side.
     HD Real radius(uint32_t id) const {
         if (is_sphere(id))
@@ -87,7 +94,8 @@ template <class Real> struct SurfacesView {
 
 template <class Real> struct SceneView {
     GeometryView<Real> geometry;
-    ShapesView<double> exact; ///< the same shapes, for paths that go on from them; empty where none does
+    ShapesView<double> exact; ///< the same shapes, for paths that go on from them and for large ones; empty where there
+                              ///< is neither
     GridView<Real> grid;      ///< without cells: every bounded primitive is tested
     SurfacesView<Real> surfaces;
     std::span<const Light<Real>> lights;
@@ -105,6 +113,12 @@ template <class Real> struct SceneView {
     bool has_fading = false;    ///< some interior attenuates
     bool has_no_shadow = false; ///< some material casts no shadow
     bool has_hidden = false;    ///< some material is no_image or no_reflection
+
+    /// Whether rays in float meet a sphere in double: float would move the surface of one that is large by more than
+    /// the small things on it can bear.
+    HD bool meets_exactly(uint32_t id) const {
+        return !exact.spheres.empty() && geometry.is_sphere(id) && geometry.spheres[id].radius > geometry.large_radius;
+    }
 };
 
 } // namespace proxima

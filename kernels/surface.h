@@ -65,6 +65,17 @@ template <class Path> HD void move_onto(const ShapesView<Path>& shapes, Surface<
     }
 }
 
+/// The place `along` a ray in float on a sphere whose surface float does not hold.
+HD_RARE inline void move_onto_exactly(const ShapesView<double>& shapes, const Ray<float>& ray, float along,
+                                      Surface<float>& surface) {
+    Surface<double> exact;
+    exact.primitive = surface.primitive;
+    exact.point = Vec3<double>(ray.origin) + double(along) * Vec3<double>(ray.direction);
+    move_onto(shapes, exact);
+    surface.point = Vec3<float>(exact.point);
+    surface.outward = Vec3<float>(exact.outward);
+}
+
 /// The place at which `ray`, based as `based`, made a hit.
 template <class Path, class Real>
 HD Surface<Path> surface_at(const SceneView<Real>& scene, const SourcedRay<Path>& ray, const BasedRay<Real>& based,
@@ -73,15 +84,22 @@ HD Surface<Path> surface_at(const SceneView<Real>& scene, const SourcedRay<Path>
     Surface<Path> surface;
     surface.primitive = hit.primitive;
     surface.material = scene.geometry.material(hit.primitive);
+    bool is_on = false;
+    if constexpr (std::is_same_v<Path, float>) {
+        is_on = scene.meets_exactly(hit.primitive);
+        if (is_on)
+            move_onto_exactly(scene.exact, based.ray, hit.t, surface);
+    }
     if constexpr (std::is_same_v<Path, Real>) {
-        surface.point = based.ray.origin + hit.t * based.ray.direction;
+        surface.point = is_on ? surface.point : based.ray.origin + hit.t * based.ray.direction;
     } else {
         const Path about = Path(based.offset) + Path(hit.t);
         const Path t = hit.primitive == ray.source.primitive ? ray.source.exit
                                                              : refined_distance(shapes, ray.ray, hit.primitive, about);
         surface.point = ray.ray.origin + t * ray.ray.direction;
     }
-    move_onto(shapes, surface);
+    if (!is_on)
+        move_onto(shapes, surface);
     surface.from_inside = glm::dot(surface.outward, ray.ray.direction) > 0;
     surface.normal = surface.from_inside ? -surface.outward : surface.outward;
     return surface;
@@ -113,15 +131,15 @@ HD SourcedRay<Path> leave(const ShapesView<Path>& shapes, const Surface<Path>& s
 }
 
 /// Whether a point is inside a primitive.
-template <class Real> HD bool contains(const GeometryView<Real>& geometry, uint32_t id, const Vec3<Real>& point) {
-    if (geometry.is_plane(id))
-        return glm::dot(geometry.plane(id).normal, point) < geometry.plane(id).distance;
-    if (!geometry.is_sphere(id)) {
-        const Vec3<Real> seen = geometry.ellipsoid(id).object_from_world.point(point);
+template <class Path> HD bool contains(const ShapesView<Path>& shapes, uint32_t id, const Vec3<Path>& point) {
+    if (shapes.is_plane(id))
+        return glm::dot(shapes.plane(id).normal, point) < shapes.plane(id).distance;
+    if (!shapes.is_sphere(id)) {
+        const Vec3<Path> seen = shapes.ellipsoid(id).object_from_world.point(point);
         return glm::dot(seen, seen) < 1;
     }
-    const Vec3<Real> offset = point - geometry.spheres[id].center;
-    return glm::dot(offset, offset) < geometry.spheres[id].radius * geometry.spheres[id].radius;
+    const Vec3<Path> offset = point - shapes.spheres[id].center;
+    return glm::dot(offset, offset) < shapes.spheres[id].radius * shapes.spheres[id].radius;
 }
 
 } // namespace proxima

@@ -44,7 +44,7 @@ template <class Real, Features features> struct Tracer {
         path.ray.ray = ray;
         sum = Vec3<Real>(Real(0));
         if constexpr (transparent)
-            interiors = interiors_at(scene, Vec3<Real>(ray.origin));
+            interiors = interiors_at(scene, ray.origin);
         while (advance(path) || resume(path)) {
         }
         if (transparent && interiors.overflow)

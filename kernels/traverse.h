@@ -13,7 +13,7 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
     for (uint32_t i = 0; i < geometry.planes.size(); ++i)
         visitor.meet(round + i);
     for (const uint32_t id : geometry.large)
-        visitor.meet(id);
+        visitor.meet_large(id);
     if (!ray.meets_bounds)
         return;
     if (scene.grid.in_use()) {
@@ -21,7 +21,8 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
         return;
     }
     for (uint32_t id = 0; id < round && !visitor.is_done(-infinity<Real>); ++id)
-        visitor.meet(id);
+        if (!scene.meets_exactly(id)) // then it is one of the large ones
+            visitor.meet(id);
 }
 
 /// The nearest hit between `nearest` and `farthest` of the ray's origin. A ray that has `passed` a hit already goes on

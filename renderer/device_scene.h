@@ -5,6 +5,7 @@
 #include "kernels/scene_view.h"
 #include "parser/scene_program.h"
 #include "renderer/device_motion.h"
+#include "renderer/large_spheres.h"
 #include "renderer/scene_needs.h"
 #include "renderer/spatial_order.h"
 
@@ -132,7 +133,8 @@ private:
         };
         upload(shapes_.spheres);
         has_exact_ = !std::is_same_v<Real, double> &&
-                     (tables_move_ || needs_of(scene, sphere_count_).features != Features::opaque);
+                     (tables_move_ || needs_of(scene, sphere_count_).features != Features::opaque ||
+                      has_large_sphere(scene.spheres));
         if (has_exact_)
             upload(exact_.spheres);
         else

@@ -34,8 +34,8 @@ public:
         most_voxels_ = GridRule{}.most_voxels;
     }
 
-    /// Sets apart what is much larger than the rest, so that a ground sphere does not blow up the grid: what exceeds 32
-    /// times the geometric mean of all radii, but never more than `most_large`, since every ray tests them. The rule
+    /// Sets apart what is much larger than the rest, so that a ground sphere does not blow up the grid: what exceeds
+    /// large_exponent(), but never more than `most_large`, since every ray tests them. The rule
     /// looks at nothing but the scene: whatever the grid's resolution, the bounds, and so all distances, are the same.
     void find_bounds(GeometryView<Real>& geometry) {
         bounded_ = 0;
@@ -43,7 +43,7 @@ public:
         const auto size = backend_.template reduce<SizeTotal<Real>>(count, MeasureSize<Real>{geometry});
         if (size.count == 0)
             return;
-        int exponent = int(std::lround(double(size.exponents) / double(size.count))) + 5;
+        int exponent = large_exponent(size.exponents, size.count);
         geometry.large_radius = std::ldexp(Real(1), exponent);
         BoundsTotal<Real> total{size.box, uint32_t(size.count)};
         if (size.largest > geometry.large_radius)

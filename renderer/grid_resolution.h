@@ -23,6 +23,9 @@ struct GridRule {
 inline std::array<uint32_t, 3> grid_resolution(const std::array<double, 3>& extent, uint64_t count,
                                                const GridRule& rule) {
     const double wanted = std::min(double(count) * rule.voxels_per_primitive, double(rule.most_voxels));
+    const double unit = std::max({extent[0], extent[1], extent[2]}); // a product of three extents may vanish
+    if (!(unit > 0))
+        return {1, 1, 1};
     std::array<bool, 3> thin{};
     double per_length = 0;
     for (bool settled = false; !settled;) {
@@ -30,7 +33,7 @@ inline std::array<uint32_t, 3> grid_resolution(const std::array<double, 3>& exte
         int axes = 0;
         for (int i = 0; i < 3; ++i)
             if (!thin[i]) {
-                volume *= extent[i];
+                volume *= extent[i] / unit;
                 ++axes;
             }
         if (axes == 0)
@@ -38,7 +41,7 @@ inline std::array<uint32_t, 3> grid_resolution(const std::array<double, 3>& exte
         per_length = std::pow(wanted / volume, 1.0 / axes);
         settled = true;
         for (int i = 0; i < 3; ++i)
-            if (!thin[i] && !(extent[i] * per_length >= 1)) {
+            if (!thin[i] && !(extent[i] / unit * per_length >= 1)) {
                 thin[i] = true;
                 settled = false;
             }
@@ -46,7 +49,7 @@ inline std::array<uint32_t, 3> grid_resolution(const std::array<double, 3>& exte
     std::array<uint32_t, 3> size{1, 1, 1};
     for (int i = 0; i < 3; ++i)
         if (!thin[i])
-            size[i] = uint32_t(std::clamp(std::round(extent[i] * per_length), 1.0, double(rule.longest)));
+            size[i] = uint32_t(std::clamp(std::round(extent[i] / unit * per_length), 1.0, double(rule.longest)));
     return size;
 }
 
