@@ -18,7 +18,14 @@
 
 namespace proxima {
 
-enum class Precision { float32, float64 };
+/// `automatic` is what users may ask for: float32 for a scene that float holds, see float_fit.h, and otherwise float64.
+/// Renderers are given one of the two.
+enum class Precision { float32, float64, automatic };
+
+constexpr Precision chosen_precision(Precision asked, bool float_holds) {
+    return asked != Precision::automatic ? asked : float_holds ? Precision::float32 : Precision::float64;
+}
+
 enum class Tolerances { exact, povray };
 enum class Accelerator { automatic, grid, cloud, brute };
 
@@ -120,7 +127,8 @@ public:
     virtual ~FrameRenderer() = default;
     /// The device as `proxima devices` names it: "cpu" or "cuda:0".
     virtual std::string name() const = 0;
-    /// Takes over a scene, converted to `precision`; it is rendered by every render() until the next call.
+    /// Takes over a scene, converted to `precision` (not automatic); it is rendered by every render() until the next
+    /// call.
     virtual void set_scene(const SceneProgram& scene, Precision precision) = 0;
     /// Renders the scene into `image`, which is resized to the whole picture unless it fits; of it, the rows that the
     /// settings ask for. Bands of one moment, one after the other, share what is built for it. `settings.precision`

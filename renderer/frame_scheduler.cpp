@@ -181,12 +181,14 @@ FrameStatistics FrameScheduler::render_scenes(RenderWorker& worker, FrameTask& t
     const auto& programs = task.scenes.programs;
     FrameStatistics statistics;
     ImageMean mean;
+    const Precision precision = chosen_precision(config_.settings.precision, task.scenes.fit.holds());
     for (size_t i = 0; i < programs.size(); ++i) {
         if (programs[i] && !is_same(held, programs[i])) {
-            worker.renderer->set_scene(*programs[i], config_.settings.precision);
+            worker.renderer->set_scene(*programs[i], precision);
             held = programs[i];
         }
         FrameSettings settings = config_.settings;
+        settings.precision = precision;
         if (i != programs.size() / 2) // the layers are those of the middle of the shutter
             settings.aovs = {};
         statistics.add(

@@ -17,6 +17,8 @@ Pilot::Pilot(const SceneOptions& scene, const FrameSettings& frame, std::vector<
     frame_.aovs = {};
     frame_.in_halves = false;
     take_scene(asked_);
+    asked_.precision = chosen_precision(asked_.precision, source_->float_fit().holds());
+    held_ = asked_;
 }
 
 void Pilot::resize(uint32_t longest) {

@@ -3,6 +3,7 @@
 #include "renderer/errors.h"
 #include "renderer/feature_plan.h"
 #include "renderer/motion_plan.h"
+#include "renderer/precision_plan.h"
 #include "renderer/scene_source.h"
 
 #include <cstdio>
@@ -18,7 +19,8 @@ void plan_command(const PlanOptions& options) {
     scene.scenes(animation.frames.front());
     std::fputs(scene.messages(false).c_str(), stderr);
     const std::vector<PlanSection> sections{motion_plan(scene.program(), scene.obstacle(), animation),
-                                            feature_plan(scene.program(), animation)};
+                                            feature_plan(scene.program(), animation),
+                                            precision_plan(scene.program(), scene.float_fit())};
     std::fputs((options.json ? plan_json(sections) : plan_text(sections)).c_str(), stdout);
 }
 

@@ -25,7 +25,9 @@ public:
 
     StoredImage render(int64_t frame) {
         load(frame);
-        renderer_->render(options_.frame, image_);
+        FrameSettings settings = options_.frame;
+        settings.precision = precision_;
+        renderer_->render(settings, image_);
         StoredImage picture{.width = image_.width,
                             .height = image_.height,
                             .type = SampleType::uint16,
@@ -41,13 +43,15 @@ private:
     void load(int64_t frame) {
         if (!scene_.load(frame))
             return;
-        renderer_->set_scene(scene_.program(), options_.frame.precision);
+        precision_ = chosen_precision(options_.frame.precision, scene_.float_fit().holds());
+        renderer_->set_scene(scene_.program(), precision_);
         scene_.release_program();
     }
 
     const CompareOptions& options_;
     SceneSource scene_;
     std::unique_ptr<FrameRenderer> renderer_;
+    Precision precision_ = Precision::float64;
     Image image_;
 };
 

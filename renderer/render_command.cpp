@@ -18,6 +18,7 @@
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
 
+#include <atomic>
 #include <cstdio>
 #include <fmt/format.h>
 #include <functional>
@@ -96,6 +97,25 @@ std::optional<QualityChoice> choose_quality(RenderOptions& options, const StopSi
     return choice;
 }
 
+/// Says once, of the first frame that float does not hold, what that means.
+class FitNote {
+public:
+    FitNote(Precision asked, Progress& progress) : asked_(asked), progress_(progress) {}
+
+    void look_at(const FloatFit& fit) {
+        if (fit.holds() || asked_ == Precision::float64 || said_.exchange(true))
+            return;
+        progress_.note(fit.reason() + (asked_ == Precision::automatic
+                                           ? ": it is rendered in double"
+                                           : ": rendered in float all the same, as --precision float asks for"));
+    }
+
+private:
+    Precision asked_;
+    Progress& progress_;
+    std::atomic<bool> said_ = false;
+};
+
 std::string describe(const QualityRequest& request, const QualityChoice& choice) {
     return fmt::format("--max-error {}: {}; predicted {} (by {}, in {:.1f} s)", request.text, choice.options,
                        error_text(request.limit, choice.predicted), choice.pilot, choice.ms / 1000);
@@ -151,6 +171,8 @@ void render_frames(const RenderOptions& options, const RenderOptions& asked, std
     }
     WorkPlan plan = plan_work(std::move(started.devices), options.multi_gpu, options.frame, animation.frames.size());
     FaultPlan faults(options.multi_gpu.faults);
+    FitNote fit_note(options.frame.precision, progress);
+    fit_note.look_at(scene.float_fit());
     Timeline timeline;
     const bool is_timed = options.timeline || options.stats_json;
     const RunWatch watch{.faults = &faults, .timeline = is_timed ? &timeline : nullptr};
@@ -160,18 +182,21 @@ void render_frames(const RenderOptions& options, const RenderOptions& asked, std
                        [&](const FrameRecord& record) { finisher.announce(record); });
     FrameQueue queue(animation.frames.size(), plan.workers.size(), plan.bands);
     FrameSource source(scene, animation, queue, plan.workers.size() > 1);
-    FrameScheduler scheduler(queue, writer,
-                             {.settings = options.frame,
-                              .describe =
-                                  [&](const FrameTask& task) {
-                                      return FrameRecord{.frame = task.frame,
-                                                         .file = options.output->path(task.frame).string(),
-                                                         .precision = precision_name(options.frame.precision),
-                                                         .scene = task.facts};
-                                  },
-                              .note = [&](const std::string& text) { progress.note(text); },
-                              .scenes_by_script = [&](int64_t frame) { return scene.scenes_by_script(frame); },
-                              .watch = watch});
+    FrameScheduler scheduler(
+        queue, writer,
+        {.settings = options.frame,
+         .describe =
+             [&](const FrameTask& task) {
+                 const FloatFit& fit = task.scenes.fit;
+                 fit_note.look_at(fit);
+                 return FrameRecord{.frame = task.frame,
+                                    .file = options.output->path(task.frame).string(),
+                                    .precision = precision_name(chosen_precision(options.frame.precision, fit.holds())),
+                                    .scene = task.facts};
+             },
+         .note = [&](const std::string& text) { progress.note(text); },
+         .scenes_by_script = [&](int64_t frame) { return scene.scenes_by_script(frame); },
+         .watch = watch});
     const auto measure = [&] {
         run.parse_ms = scene.parse_ms();
         run.evaluate_ms = scene.evaluate_ms();

@@ -36,7 +36,8 @@ FrameScenes SceneSource::scenes(int64_t frame) {
     const Moments moments = options_.animation.moments(frame);
     const Program before = shown_.programs.empty() ? nullptr : shown_.programs.front();
     if (const Program program = moving_program(moments)) {
-        shown_ = {{program}, {}};
+        const FloatFit fit = program == before ? shown_.fit : fit_of_all_frames(*program);
+        shown_ = {{program}, {}, fit};
         if (!same_for_all_frames_)
             for (const SceneClock& moment : moments)
                 shown_.moments.push_back(motion_time(moment));
@@ -64,10 +65,21 @@ FrameScenes SceneSource::by_script(const Moments& moments) {
         EvaluationSettings settings = settings_at(moment);
         settings.last_evaluation = animation.frames.size() == 1 && moments.size() == 1;
         result.programs.push_back(evaluate(std::move(settings)));
+        result.fit = worse(result.fit, proxima::float_fit(*result.programs.back(), options_.width));
         if (!result.programs.front()->depends_on_time)
             break; // the other moments are the same
     }
     return result;
+}
+
+/// At the beginning, in the middle and at the end of the animation, whichever of its frames are rendered.
+FloatFit SceneSource::fit_of_all_frames(const SceneProgram& program) const {
+    const Animation& animation = options_.animation;
+    std::vector<MotionTime> moments;
+    for (const int64_t frame :
+         {animation.initial_frame, animation.initial_frame / 2 + animation.final_frame / 2, animation.final_frame})
+        moments.push_back(motion_time(animation.clock(frame)));
+    return proxima::float_fit(program, options_.width, moments);
 }
 
 /// The program that says the moments of a frame, or null; or one that says all frames, as it is.

@@ -44,6 +44,9 @@ public:
 
     /// Makes motion programs of a still as well: for plans.
     void record_stills() { records_stills_ = true; }
+    /// Whether float holds what the frame that was asked for last shows.
+    const FloatFit& float_fit() const { return shown_.fit; }
+
     /// What makes motion programs impossible, once a frame was asked for.
     const std::optional<MotionObstacle>& obstacle() const { return obstacle_; }
 
@@ -68,6 +71,7 @@ private:
     Program evaluate(EvaluationSettings settings);
     EvaluationSettings settings_at(const SceneClock& time) const;
     FrameScenes by_script(const Moments& moments);
+    FloatFit fit_of_all_frames(const SceneProgram& program) const;
     void reject_mistakes(const Diagnostics& diagnostics) const;
 
     const SceneOptions& options_;

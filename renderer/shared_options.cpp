@@ -156,7 +156,11 @@ void add_device_options(CLI::App& command, DeviceTexts& texts) {
         ->type_name("B");
     command.add_option("--grid", texts.grid, "Voxels along each axis [auto: chosen from the scene]")
         ->type_name("N|NxNxN");
-    command.add_option("--precision", texts.precision, "float or double [" + texts.precision + "]")->type_name("P");
+    command
+        .add_option("--precision", texts.precision,
+                    "auto (float, or double for a scene that float does not hold: it says so), float or double [" +
+                        texts.precision + "]")
+        ->type_name("P");
     command.add_option("--threads", texts.threads, "CPU threads [0: all cores]")->type_name("N");
 }
 
@@ -191,8 +195,9 @@ FrameSettings read_frame_settings(const SceneOptions& scene, const DeviceTexts& 
     FrameSettings frame;
     frame.width = scene.width;
     frame.height = scene.height;
-    frame.precision = parse_choice<Precision>("--precision", texts.precision,
-                                              {{"float", Precision::float32}, {"double", Precision::float64}});
+    frame.precision = parse_choice<Precision>(
+        "--precision", texts.precision,
+        {{"auto", Precision::automatic}, {"float", Precision::float32}, {"double", Precision::float64}});
     frame.accelerator = parse_choice<Accelerator>("--accel", texts.accelerator,
                                                   {{"auto", Accelerator::automatic},
                                                    {"grid", Accelerator::grid},

@@ -21,7 +21,7 @@ struct SceneTexts {
 
 struct DeviceTexts {
     std::string device = "auto", accelerator = "auto", grid = "auto", metric = "chessboard", brick = "auto",
-                precision = "float", threads = "0";
+                precision = "auto", threads = "0";
 };
 
 void add_scene(CLI::App& command, SceneTexts& texts);

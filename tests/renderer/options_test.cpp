@@ -29,7 +29,7 @@ TEST_CASE("options: a scene alone is a still with every default") {
     CHECK(options.frame.width == 640);
     CHECK(options.scene.height == 480);
     CHECK(options.frame.samples == 1);
-    CHECK(options.frame.precision == Precision::float32);
+    CHECK(options.frame.precision == Precision::automatic);
     CHECK(options.frame.tolerances == Tolerances::exact);
     CHECK(options.frame.accelerator == Accelerator::automatic);
     CHECK(options.frame.grid == std::array<uint32_t, 3>{0, 0, 0});
@@ -124,7 +124,7 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
         {{"--grid", "1x2"}, "--grid 1x2: write one number of voxels for all axes, or three like 64x32x64"},
         {{"--grid", "60000x60000x60000"},
          "--grid 60000x60000x60000: more than 4294967296 voxels; choose a coarser grid"},
-        {{"--precision", "half"}, "--precision half: not one of double, float"},
+        {{"--precision", "half"}, "--precision half: not one of auto, double, float"},
         {{"--clock", "soon"},
          "--clock soon: 'soon' is not a finite number; write 0.25 for a still, 0:1 for an animation"},
         {{"--clock", "1e40"},
