@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The extremes: scenes and what is declared for them.
+#pragma once
+#include "tests/extremes/scene_text.h"
+
+namespace proxima::testing {
+
+struct ExtremeCase {
+    std::string name;
+    std::string scene; ///< a file of scenes/
+    Declares declares{};
+    uint32_t width = 64, height = 48;
+    bool is_quick = true;   ///< it is part of the test
+    bool by_a_hair = false; ///< rays run along outlines: which of them hit is no matter of the picture
+};
+
+std::vector<ExtremeCase> extreme_cases();
+
+SceneProgram read_case(const ExtremeCase& extreme);
+
+} // namespace proxima::testing
