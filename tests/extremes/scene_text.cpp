@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/extremes/scene_text.h"
-#include "renderer/scene_source.h"
+#include "parser/scene_script.h"
+
+#include <stdexcept>
 
 namespace proxima::testing {
 
 SceneProgram read_scene(const std::filesystem::path& file, uint32_t width, uint32_t height, const Declares& declares) {
-    SceneOptions options;
-    options.scene = file;
-    options.declares = declares;
-    options.width = width;
-    options.height = height;
-    SceneSource source(options);
-    source.scenes(0);
-    return source.program();
+    Diagnostics diagnostics;
+    SceneScript script(file, {}, diagnostics);
+    EvaluationSettings settings;
+    settings.image_width = width;
+    settings.image_height = height;
+    settings.declares = declares;
+    SceneProgram scene = script.evaluate(settings, diagnostics);
+    if (diagnostics.has_errors())
+        throw std::runtime_error(diagnostics.format(script.files()));
+    return scene;
 }
 
 } // namespace proxima::testing
