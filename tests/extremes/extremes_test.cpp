@@ -71,16 +71,18 @@ TEST_CASE("extremes: in double an outline is where it is, to the last bit of a r
     CHECK(hits("1") == 64);
 }
 
-TEST_CASE("extremes: a sphere that a scene has twice throws no shadow on itself, and of glass it is as if once") {
-    for (const Precision precision : {Precision::float32, Precision::float64}) {
-        ExtremeCase extreme{"", "twice.scn", {{"Times", "1"}}};
-        const Image once = render_scene(read_case(extreme), settings_of(extreme, precision));
-        extreme.declares = {{"Times", "3"}};
-        FrameSettings settings = settings_of(extreme, precision);
-        CHECK(render_scene(read_case(extreme), settings).rgb == once.rgb);
-        settings.accelerator = Accelerator::grid;
-        CHECK(render_scene(read_case(extreme), settings).rgb == once.rgb);
-    }
+TEST_CASE("extremes: what a scene has twice throws no shadow on itself") {
+    for (const char* mirror : {"0", "1"}) // whose paths are followed in double
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+            ExtremeCase extreme{"", "twice.scn", {{"Times", "1"}, {"Mirror", mirror}}};
+            FrameSettings settings = settings_of(extreme, precision);
+            settings.accelerator = Accelerator::brute;
+            const Image once = render_scene(read_case(extreme), settings);
+            extreme.declares[0].second = "3";
+            CHECK(render_scene(read_case(extreme), settings).rgb == once.rgb);
+            settings.accelerator = Accelerator::grid;
+            CHECK(render_scene(read_case(extreme), settings).rgb == once.rgb);
+        }
 }
 
 TEST_CASE("extremes: a sphere on a globe of radius 1e6 stands on it in float, and its shadow begins there") {
