@@ -6,9 +6,10 @@
 
 namespace proxima {
 
-FrameWriter::FrameWriter(std::function<void(FinishedFrame&)> write, unsigned threads,
+FrameWriter::FrameWriter(size_t frames, std::function<void(FinishedFrame&)> write, unsigned threads,
                          std::function<void(const FrameRecord&)> announce)
-    : write_(std::move(write)), announce_(std::move(announce)), most_threads_(std::max(1u, threads)) {}
+    : write_(std::move(write)), announce_(std::move(announce)), most_threads_(std::max(1u, threads)), records_(frames),
+      states_(frames, State::absent) {}
 
 FrameWriter::~FrameWriter() {
     close(true);
@@ -28,7 +29,8 @@ void FrameWriter::push(FinishedFrame frame) {
     changed_.wait(lock, [this] { return waiting_.size() < capacity_ || error_; });
     if (error_)
         std::rethrow_exception(error_);
-    entries_.push_back({.index = frame.index});
+    states_.at(frame.index) = State::pushed;
+    unannounced_.push_back(frame.index);
     waiting_.push_back(std::move(frame));
     if (idle_ < waiting_.size() && threads_.size() < most_threads_)
         threads_.emplace_back([this] { run(); });
@@ -39,12 +41,12 @@ std::vector<FrameRecord> FrameWriter::finish() {
     close(false);
     if (error_)
         std::rethrow_exception(error_);
-    std::stable_sort(entries_.begin(), entries_.end(),
-                     [](const Entry& a, const Entry& b) { return a.index < b.index; });
-    std::vector<FrameRecord> records;
-    for (Entry& entry : entries_)
-        records.push_back(std::move(entry.record));
-    return records;
+    size_t kept = 0; // of an interrupted run some are absent
+    for (size_t i = 0; i < records_.size(); ++i)
+        if (states_[i] == State::written && kept++ < i)
+            records_[kept - 1] = std::move(records_[i]);
+    records_.resize(kept);
+    return std::move(records_);
 }
 
 void FrameWriter::close(bool drop) {
@@ -70,7 +72,6 @@ void FrameWriter::run() {
             return;
         FinishedFrame frame = std::move(waiting_.front());
         waiting_.pop_front();
-        const size_t entry = begun_++;
         changed_.notify_all();
         lock.unlock();
         std::exception_ptr error;
@@ -86,11 +87,11 @@ void FrameWriter::run() {
             changed_.notify_all();
             return;
         }
-        entries_[entry].record = std::move(frame.record);
-        entries_[entry].is_written = true;
+        records_[frame.index] = std::move(frame.record);
+        states_[frame.index] = State::written;
         free_images_.push_back(std::move(frame.image));
-        for (; announced_ < begun_ && entries_[announced_].is_written; ++announced_)
-            announce_(entries_[announced_].record);
+        for (; !unannounced_.empty() && states_[unannounced_.front()] == State::written; unannounced_.pop_front())
+            announce_(records_[unannounced_.front()]);
     }
 }
 

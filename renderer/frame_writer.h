@@ -24,11 +24,11 @@ struct FinishedFrame {
 /// Any member may be called by any thread, finish() by one.
 class FrameWriter {
 public:
-    /// `write` makes the file and completes the record. It runs on up to `threads` threads, each with a frame of its
-    /// own; a thread is started when a frame finds all others busy. `announce` is called for what is written, in the
-    /// order of push().
-    explicit FrameWriter(
-        std::function<void(FinishedFrame&)> write, unsigned threads = 1,
+    /// For `frames` frames; their records get their memory here, so that a long run's does not grow. `write` makes the
+    /// file and completes the record. It runs on up to `threads` threads, each with a frame of its own; a thread is
+    /// started when a frame finds all others busy. `announce` is called for what is written, in the order of push().
+    FrameWriter(
+        size_t frames, std::function<void(FinishedFrame&)> write, unsigned threads = 1,
         std::function<void(const FrameRecord&)> announce = [](const FrameRecord&) {});
     /// Drops what still waits.
     ~FrameWriter();
@@ -39,7 +39,7 @@ public:
     Image take_image();
     /// Hands a frame over; waits while the queue is full. Rethrows what `write` threw for an earlier frame.
     void push(FinishedFrame frame);
-    /// Waits until everything is written. Rethrows what `write` threw. Returns the records by their index.
+    /// Waits until everything is written. Rethrows what `write` threw. Returns the records of what was pushed, by index.
     std::vector<FrameRecord> finish();
 
 private:
@@ -48,23 +48,18 @@ private:
     void run();
     void close(bool drop);
 
-    /// A frame that was pushed.
-    struct Entry {
-        size_t index = 0;
-        FrameRecord record{};
-        bool is_written = false;
-    };
+    enum class State : uint8_t { absent, pushed, written };
 
     std::function<void(FinishedFrame&)> write_;
     std::function<void(const FrameRecord&)> announce_;
     const size_t most_threads_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<FinishedFrame> waiting_; ///< the last of entries_
+    std::deque<FinishedFrame> waiting_;
+    std::deque<size_t> unannounced_; ///< indices of what was pushed, in that order
     std::vector<Image> free_images_;
-    std::vector<Entry> entries_; ///< of all frames, in the order of push()
-    size_t begun_ = 0;           ///< entries that a thread has taken
-    size_t announced_ = 0;       ///< entries that were announced
+    std::vector<FrameRecord> records_; ///< by index
+    std::vector<State> states_;
     std::exception_ptr error_;
     size_t idle_ = 0; ///< threads that wait for a frame
     bool closed_ = false;

@@ -173,12 +173,12 @@ void render_frames(const RenderOptions& options, const RenderOptions& asked, std
     FaultPlan faults(options.multi_gpu.faults);
     FitNote fit_note(options.frame.precision, progress);
     fit_note.look_at(scene.float_fit());
-    Timeline timeline;
     const bool is_timed = options.timeline || options.stats_json;
+    Timeline timeline(is_timed ? animation.frames.size() : 0);
     const RunWatch watch{.faults = &faults, .timeline = is_timed ? &timeline : nullptr};
     finisher.start(progress, watch);
     finisher.show_kept(kept);
-    FrameWriter writer(std::ref(finisher), writer_threads(options),
+    FrameWriter writer(animation.frames.size(), std::ref(finisher), writer_threads(options),
                        [&](const FrameRecord& record) { finisher.announce(record); });
     FrameQueue queue(animation.frames.size(), plan.workers.size(), plan.bands);
     FrameSource source(scene, animation, queue, plan.workers.size() > 1);

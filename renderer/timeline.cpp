@@ -25,6 +25,12 @@ double length_of_union(std::vector<Interval> intervals) {
 
 } // namespace
 
+Timeline::Timeline(size_t frames) {
+    constexpr size_t spans_per_frame = 8;
+    spans_.resize(frames * spans_per_frame); // written to, or the system gives it out bit by bit
+    spans_.clear();
+}
+
 void Timeline::add(const std::string& device, FrameStep step, int64_t frame, StepWatch::Time begin,
                    StepWatch::Time end) {
     const std::lock_guard lock(mutex_);

@@ -23,6 +23,9 @@ struct TimelineSpan {
 /// add() may be called by any thread; the rest when nobody adds any more.
 class Timeline {
 public:
+    /// Gets the memory that a run of so many frames is likely to need, so that it does not grow.
+    explicit Timeline(size_t frames = 0);
+
     /// A step that a device, or "writer", took on the calling thread. Each such pair has a lane of its own.
     void add(const std::string& device, FrameStep step, int64_t frame, StepWatch::Time begin, StepWatch::Time end);
 

@@ -44,6 +44,7 @@ struct Run {
         const StopSignal stop;
         std::mutex mutex;
         FrameWriter writer(
+            frames,
             [&](FinishedFrame& frame) {
                 const std::lock_guard lock(mutex);
                 write(frame);

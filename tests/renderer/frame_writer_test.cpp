@@ -13,6 +13,7 @@ namespace {
 FinishedFrame numbered(int64_t frame) {
     FinishedFrame finished;
     finished.record.frame = frame;
+    finished.index = size_t(frame);
     return finished;
 }
 
@@ -20,7 +21,7 @@ FinishedFrame numbered(int64_t frame) {
 
 TEST_CASE("frame writer: frames are written in order, and their records come back") {
     std::vector<int64_t> written;
-    FrameWriter writer([&](FinishedFrame& frame) {
+    FrameWriter writer(50, [&](FinishedFrame& frame) {
         written.push_back(frame.record.frame);
         frame.record.write_ms = double(frame.record.frame);
     });
@@ -36,7 +37,7 @@ TEST_CASE("frame writer: frames are written in order, and their records come bac
 
 TEST_CASE("frame writer: rendering waits when writing is slow") {
     std::atomic<int> written{0};
-    FrameWriter writer([&](FinishedFrame&) {
+    FrameWriter writer(10, [&](FinishedFrame&) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         ++written;
     });
@@ -49,7 +50,7 @@ TEST_CASE("frame writer: rendering waits when writing is slow") {
 }
 
 TEST_CASE("frame writer: a failure reaches the thread that renders") {
-    FrameWriter writer([](FinishedFrame& frame) {
+    FrameWriter writer(100, [](FinishedFrame& frame) {
         if (frame.record.frame == 1)
             throw std::runtime_error("disk full");
     });
@@ -64,8 +65,21 @@ TEST_CASE("frame writer: a failure reaches the thread that renders") {
 TEST_CASE("frame writer: giving up does not wait for what has not begun") {
     std::atomic<int> written{0};
     {
-        FrameWriter writer([&](FinishedFrame&) { ++written; });
+        FrameWriter writer(1, [&](FinishedFrame&) { ++written; });
         writer.push(numbered(0));
     }
     CHECK(written <= 1);
+}
+
+TEST_CASE("frame writer: of frames that were not all pushed, the records are those that were, in order") {
+    std::vector<int64_t> announced;
+    FrameWriter writer(
+        9, [](FinishedFrame&) {}, 2, [&](const FrameRecord& record) { announced.push_back(record.frame); });
+    for (const int64_t frame : {7, 2, 4})
+        writer.push(numbered(frame));
+    std::vector<int64_t> kept;
+    for (const FrameRecord& record : writer.finish())
+        kept.push_back(record.frame);
+    CHECK(kept == std::vector<int64_t>{2, 4, 7});
+    CHECK(announced == std::vector<int64_t>{7, 2, 4}); // as they came
 }
