@@ -6,14 +6,15 @@
 
 namespace proxima {
 
-FrameQueue::FrameQueue(size_t total, size_t workers, std::vector<Rows> bands)
-    : bands_(std::move(bands)), workers_(workers), not_taken_(total * bands_.size()) {}
+FrameQueue::FrameQueue(size_t total, size_t workers, std::vector<Rows> bands, size_t devices)
+    : bands_(std::move(bands)), devices_(devices > 0 ? devices : std::max<size_t>(workers, 1)), workers_(workers),
+      not_taken_(total * bands_.size()) {}
 
 bool FrameQueue::push(FrameTask task) {
     task.assembly = std::make_shared<FrameAssembly>(bands_.size());
     std::unique_lock lock(mutex_);
     for (const Rows& rows : bands_) {
-        changed_.wait(lock, [this] { return waiting_.size() < capacity || closed_; });
+        changed_.wait(lock, [this] { return waiting_.size() < capacity * bands_.size() || closed_; });
         if (closed_)
             return false;
         task.rows = rows;
@@ -43,14 +44,25 @@ std::optional<FrameTask> FrameQueue::take(size_t worker) {
         if (!queue.empty() && is_worthwhile(worker)) {
             if (&queue == &waiting_)
                 --not_taken_;
-            std::optional<FrameTask> task(std::move(queue.front()));
-            queue.pop_front();
+            std::optional<FrameTask> task(next_for(worker, queue));
             ++in_flight_;
             changed_.notify_all();
             return task;
         }
         changed_.wait(lock);
     }
+}
+
+/// Takes a band of a frame that nobody else on the worker's device works on, or else the first one.
+FrameTask FrameQueue::next_for(size_t worker, std::deque<FrameTask>& queue) const {
+    const size_t turns = (workers_.size() + devices_ - 1) / devices_;
+    auto next = std::find_if(queue.begin(), queue.end(),
+                             [&](const FrameTask& task) { return task.index % turns == worker / devices_; });
+    if (next == queue.end() || bands_.size() == 1)
+        next = queue.begin();
+    FrameTask task = std::move(*next);
+    queue.erase(next);
+    return task;
 }
 
 void FrameQueue::finish(size_t worker, double milliseconds) {

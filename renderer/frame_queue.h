@@ -33,11 +33,12 @@ struct FrameTask {
 class FrameQueue {
 public:
     /// `total` frames will come; `workers` devices (or parts of one) take them and are numbered from 0. Each frame is
-    /// handed out in `bands`.
-    FrameQueue(size_t total, size_t workers, std::vector<Rows> bands = {Rows{}});
+    /// handed out in `bands`. Worker w is on device w % `devices`: those of one device take bands of different frames
+    /// as long as there are any, since each builds the grid of a frame that it takes bands of.
+    FrameQueue(size_t total, size_t workers, std::vector<Rows> bands = {Rows{}}, size_t devices = 0);
 
-    /// Adds a frame, band by band; waits while `capacity` others wait. False when the queue was closed: no more are
-    /// wanted.
+    /// Adds a frame, band by band; waits while those of `capacity` others wait. False when the queue was closed: no
+    /// more are wanted.
     bool push(FrameTask task);
     /// No more frames will come; with `error` because evaluating one failed. What is queued is still handed out.
     void end(std::exception_ptr error = {});
@@ -74,12 +75,14 @@ private:
         bool is_known() const { return finished > warm_up; }
     };
 
+    FrameTask next_for(size_t worker, std::deque<FrameTask>& queue) const;
     bool is_worthwhile(size_t worker) const;
     bool is_over() const;
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     const std::vector<Rows> bands_;
+    const size_t devices_;
     std::deque<FrameTask> waiting_, returned_;
     std::vector<Worker> workers_;
     std::exception_ptr error_;

@@ -39,7 +39,8 @@ public:
     Image take_image();
     /// Hands a frame over; waits while the queue is full. Rethrows what `write` threw for an earlier frame.
     void push(FinishedFrame frame);
-    /// Waits until everything is written. Rethrows what `write` threw. Returns the records of what was pushed, by index.
+    /// Waits until everything is written. Rethrows what `write` threw. Returns the records of what was pushed, by
+    /// index.
     std::vector<FrameRecord> finish();
 
 private:

@@ -180,7 +180,7 @@ void render_frames(const RenderOptions& options, const RenderOptions& asked, std
     finisher.show_kept(kept);
     FrameWriter writer(animation.frames.size(), std::ref(finisher), writer_threads(options),
                        [&](const FrameRecord& record) { finisher.announce(record); });
-    FrameQueue queue(animation.frames.size(), plan.workers.size(), plan.bands);
+    FrameQueue queue(animation.frames.size(), plan.workers.size(), plan.bands, plan.devices);
     FrameSource source(scene, animation, queue, plan.workers.size() > 1);
     FrameScheduler scheduler(
         queue, writer,

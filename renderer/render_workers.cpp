@@ -19,9 +19,15 @@ std::vector<RenderWorker> workers_on(std::vector<StartedDevice> devices, const M
     std::vector<RenderWorker> workers;
     for (StartedDevice& started : devices)
         workers.push_back({started.device.name, std::move(started.renderer), started.device.make});
-    for (const StartedDevice& started : devices)
-        for (unsigned i = 1; i < in_flight(started.device, options) && workers.size() < tasks; ++i)
-            workers.push_back({started.device.name, nullptr, started.device.make});
+    bool is_added = true;
+    for (unsigned i = 1; is_added; ++i) {
+        is_added = false;
+        for (const StartedDevice& started : devices)
+            if (i < in_flight(started.device, options) && workers.size() < tasks) {
+                workers.push_back({started.device.name, nullptr, started.device.make});
+                is_added = true;
+            }
+    }
     return workers;
 }
 
@@ -54,6 +60,7 @@ std::vector<RenderWorker> relay_workers(std::vector<StartedDevice> devices, cons
 WorkPlan plan_work(std::vector<StartedDevice> devices, const MultiGpuOptions& options, const FrameSettings& settings,
                    size_t frames) {
     WorkPlan plan;
+    plan.devices = devices.size();
     const uint64_t pixels = uint64_t(settings.width) * settings.height;
     const MultiGpu mode = choose_multi_gpu(options.mode, devices.size(), frames, pixels);
     if (mode == MultiGpu::relay) {

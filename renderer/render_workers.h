@@ -11,7 +11,8 @@
 namespace proxima {
 
 struct WorkPlan {
-    std::vector<RenderWorker> workers;
+    std::vector<RenderWorker> workers; ///< one of each device, then a second one of each, and so on
+    size_t devices = 1;
     std::vector<Rows> bands{Rows{}}; ///< of every frame
 };
 
