@@ -17,7 +17,7 @@ struct Fault {
     DeviceError::Kind kind = DeviceError::Kind::lost;
     int64_t frame = 0;
     FrameStep step = FrameStep::trace;
-    std::string device; ///< empty: whichever comes first
+    std::string device{}; ///< empty: whichever comes first
     uint32_t times = 1;
 
     friend bool operator==(const Fault&, const Fault&) = default;

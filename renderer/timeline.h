@@ -24,7 +24,8 @@ struct TimelineSpan {
 class Timeline {
 public:
     /// Gets the memory that a run of so many frames is likely to need, so that it does not grow.
-    explicit Timeline(size_t frames = 0);
+    explicit Timeline(size_t frames);
+    Timeline() : Timeline(0) {}
 
     /// A step that a device, or "writer", took on the calling thread. Each such pair has a lane of its own.
     void add(const std::string& device, FrameStep step, int64_t frame, StepWatch::Time begin, StepWatch::Time end);

@@ -34,7 +34,7 @@ struct Figures {
     json statistics;
     double wall = 0;             ///< of the process
     double begin = 0, end = 0;   ///< first step of any device and last one's end
-    std::vector<double> read_at; ///< ends of read-backs, in order
+    std::vector<double> read_at{}; ///< ends of read-backs, in order
 
     double at_work() const { return end - begin; }
     /// Median over the frames of the sum of some of their times.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <fmt/format.h>
+#include <cstdio>
 #include <span>
 #include <vector>
 
@@ -84,8 +84,9 @@ template <class Backend> std::vector<double> measure_sines(Backend& backend) {
     int64_t apart = 0;
     for (uint32_t i = 0; i < count; ++i)
         apart = std::max(apart, ulps_apart(library[i], portable[i]));
-    fmt::print("{}: {} sines in double: library {:.3f} ms, portable {:.3f} ms ({:.2f} times); at most {} ulp apart\n",
-               backend.name(), count, library_ms, portable_ms, portable_ms / library_ms, apart);
+    std::printf("%s: %u sines in double: library %.3f ms, portable %.3f ms (%.2f times); at most %lld ulp apart\n",
+                backend.name().c_str(), count, library_ms, portable_ms, portable_ms / library_ms,
+                static_cast<long long>(apart));
     return portable;
 }
 

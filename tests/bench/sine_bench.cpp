@@ -12,8 +12,8 @@ int main() {
     proxima::CpuBackend cpu;
     const std::vector<double> here = proxima::bench::measure_sines(cpu), there = proxima::bench::measure_cuda_sines();
     if (there.empty())
-        fmt::print("no CUDA device\n");
+        std::printf("no CUDA device\n");
     else
-        fmt::print("the portable ones are {} on both\n", here == there ? "the same" : "NOT the same");
+        std::printf("the portable ones are %s on both\n", here == there ? "the same" : "NOT the same");
     return 0;
 }
