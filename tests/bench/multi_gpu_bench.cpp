@@ -132,9 +132,11 @@ void measure_throughput(const Setup& setup) {
     say("ratio (at least 1.95)", fmt::format("{:.3f}", one.at_work() / two.at_work()));
 }
 
-/// From the fourth frame on, when all memory is there.
+constexpr unsigned large_frames = 60;
+
+/// From the twentieth frame on: until then pictures are allocated, and their pages locked when they are used again.
 double frame_interval(const Figures& figures, size_t bands) {
-    constexpr size_t first = 3;
+    constexpr size_t first = 20;
     const std::vector<double>& ends = figures.read_at;
     const size_t frames = ends.size() / bands;
     return (ends[frames * bands - 1] - ends[first * bands - 1]) / double(frames - first);
@@ -144,7 +146,7 @@ void measure_large_frame(const Setup& setup) {
     const auto run = [&](const std::string& devices, const std::string& mode, const std::string& in_flight,
                          const std::string& rows) {
         const Figures figures =
-            render(setup, devices, "swarm.scn", 15,
+            render(setup, devices, "swarm.scn", large_frames,
                    {"--declare", declare(setup.count), "--size", setup.large_size, "-o", "discarded.######.exr",
                     "--discard", "--multi-gpu", mode, "--in-flight", in_flight, "--tile-rows", rows});
         const unsigned all = setup.large_height(), height = mode == "tiles" ? unsigned(std::stoul(rows)) : all;
@@ -177,7 +179,10 @@ void measure_files(const Setup& setup) {
         const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
         const double encoding = steps / threads;
         const double longest = std::max(rendering.at_work(), encoding);
-        const double last_read = both.at_work(), rest = both.statistics["wall_ms"].get<double>() - both.begin;
+        double last_written = 0; // starting the devices is not in it
+        for (const json& span : both.statistics["timeline"])
+            last_written = std::max(last_written, span["end_ms"].get<double>());
+        const double last_read = both.at_work(), rest = last_written - both.begin;
         say(fmt::format("{} frames to {}: all, rendering alone, steps of {} writers with none idle", frames, format,
                         threads),
             fmt::format("{:.2f}, {:.2f}, {:.2f} s (last read-back at {:.2f})", rest / 1e3, rendering.at_work() / 1e3,
