@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/choose_quality.h"
 #include "renderer/errors.h"
-#include "renderer/pilot.h"
+#include "renderer/quality_pilot.h"
 #include "renderer/quality_space.h"
 #include "renderer/timing.h"
 
@@ -33,7 +33,7 @@ struct Candidate {
 
 class QualitySearch {
 public:
-    QualitySearch(Pilot& pilot, const QualityRequest& request)
+    QualitySearch(QualityPilot& pilot, const QualityRequest& request)
         : pilot_(pilot), limit_(request.limit), scene_(pilot.program()), space_(quality_space(scene_, pilot.asked())),
           reference_(pilot.render(reference_quality(scene_, pilot.asked()))) {
         if (request.keeps_sampling)
@@ -194,7 +194,7 @@ private:
         return sampled_.emplace_back(setting, pilot_.render(setting)).second;
     }
 
-    Pilot& pilot_;
+    QualityPilot& pilot_;
     const ErrorLimit limit_;
     const SceneProgram scene_;
     std::array<QualityOptions, quality_aspects> space_;
@@ -213,7 +213,7 @@ QualityChoice choose_quality(const SceneOptions& scene, const FrameSettings& fra
                          "the scene in a file");
     const Stopwatch watch;
     const auto renderer = make_cpu_renderer(threads);
-    Pilot pilot(scene, frame, pilot_frames(scene.animation), *renderer, stop);
+    QualityPilot pilot(scene, frame, pilot_frames(scene.animation), *renderer, stop);
     pilot.resize(pilot_side);
     const auto [setting, error] = QualitySearch(pilot, request).run();
     QualityChoice choice{.setting = setting, .options = option_text(setting, pilot.asked()), .predicted = error};
@@ -230,7 +230,7 @@ QualityChoice choose_quality(const SceneOptions& scene, const FrameSettings& fra
 
 void measure_choice(QualityChoice& choice, const SceneOptions& scene, const FrameSettings& asked, int64_t frame,
                     FrameRenderer& renderer, const StopSignal& stop) {
-    Pilot pilot(scene, asked, {frame}, renderer, stop);
+    QualityPilot pilot(scene, asked, {frame}, renderer, stop);
     const auto picture = pilot.render(choice.setting);
     const auto reference = pilot.render(reference_quality(pilot.program(), pilot.asked()));
     choice.measured = worst_error(picture, reference);

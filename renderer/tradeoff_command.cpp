@@ -25,7 +25,7 @@ void tradeoff_command(const TradeoffOptions& options) {
     TradeoffPage page(options.folder);
     const auto renderer = choose_renderer(options.device, options.threads);
     const int64_t frame = options.scene.animation.frames.front();
-    Pilot pilot(options.scene, options.frame, {frame}, *renderer, stop);
+    QualityPilot pilot(options.scene, options.frame, {frame}, *renderer, stop);
     std::fputs(pilot.messages().c_str(), stderr);
 
     TradeoffRecord record{.scene = options.scene.scene.string(),

@@ -15,7 +15,7 @@ constexpr size_t most_combinations = 48;
 
 } // namespace
 
-TradeoffMeasurement::TradeoffMeasurement(Pilot& pilot, const TradeoffOptions& options,
+TradeoffMeasurement::TradeoffMeasurement(QualityPilot& pilot, const TradeoffOptions& options,
                                          std::function<void(const std::string&)> say)
     : pilot_(pilot), options_(options), say_(std::move(say)), space_(quality_space(pilot.program(), pilot.asked())),
       reference_setting_(reference_quality(pilot.program(), pilot.asked())) {

@@ -2,7 +2,7 @@
 // The measuring of `proxima tradeoff`: each aspect alone first, then the combinations that promise to be on the front,
 // until the time is up.
 #pragma once
-#include "renderer/pilot.h"
+#include "renderer/quality_pilot.h"
 #include "renderer/quality_space.h"
 #include "renderer/timing.h"
 #include "renderer/tradeoff_record.h"
@@ -15,7 +15,8 @@ namespace proxima {
 class TradeoffMeasurement {
 public:
     /// `say` is told what is done. Chooses the pilot's size.
-    TradeoffMeasurement(Pilot& pilot, const TradeoffOptions& options, std::function<void(const std::string&)> say);
+    TradeoffMeasurement(QualityPilot& pilot, const TradeoffOptions& options,
+                        std::function<void(const std::string&)> say);
 
     /// Fills in points, aspects, reference and what was left out.
     void run(TradeoffRecord& record);
@@ -39,7 +40,7 @@ private:
     std::vector<QualitySetting> promising() const;
     QualitySetting base() const;
 
-    Pilot& pilot_;
+    QualityPilot& pilot_;
     const TradeoffOptions& options_;
     std::function<void(const std::string&)> say_;
     Stopwatch watch_;

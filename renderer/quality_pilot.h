@@ -20,12 +20,12 @@ struct PilotPicture {
     uint64_t camera_rays = 0;
 };
 
-class Pilot {
+class QualityPilot {
 public:
     /// Renders `frames` of the scene as if they were of its own size, but with fewer pixels. All must outlive this.
     /// Throws as SceneSource.
-    Pilot(const SceneOptions& scene, const FrameSettings& frame, std::vector<int64_t> frames, FrameRenderer& renderer,
-          const StopSignal& stop);
+    QualityPilot(const SceneOptions& scene, const FrameSettings& frame, std::vector<int64_t> frames,
+                 FrameRenderer& renderer, const StopSignal& stop);
 
     /// Of the pictures from now on: the longer side is at most `longest`, the shape stays.
     void resize(uint32_t longest);

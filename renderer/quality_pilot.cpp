@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/pilot.h"
+#include "renderer/quality_pilot.h"
 #include "renderer/errors.h"
 #include "renderer/image_mean.h"
 #include "renderer/timing.h"
@@ -10,8 +10,8 @@
 
 namespace proxima {
 
-Pilot::Pilot(const SceneOptions& scene, const FrameSettings& frame, std::vector<int64_t> frames,
-             FrameRenderer& renderer, const StopSignal& stop)
+QualityPilot::QualityPilot(const SceneOptions& scene, const FrameSettings& frame, std::vector<int64_t> frames,
+                           FrameRenderer& renderer, const StopSignal& stop)
     : scene_(scene), frame_(frame), asked_(quality_of(scene, frame)), whole_width_(frame.width),
       whole_height_(frame.height), frames_(std::move(frames)), renderer_(renderer), stop_(stop) {
     frame_.aovs = {};
@@ -21,30 +21,30 @@ Pilot::Pilot(const SceneOptions& scene, const FrameSettings& frame, std::vector<
     held_ = asked_;
 }
 
-void Pilot::resize(uint32_t longest) {
+void QualityPilot::resize(uint32_t longest) {
     const double scale = std::min(1.0, double(longest) / std::max(whole_width_, whole_height_));
     const auto scaled = [&](uint32_t side) { return std::max(1u, uint32_t(std::lround(side * scale))); };
     frame_.width = scaled(whole_width_);
     frame_.height = scaled(whole_height_);
 }
 
-const SceneProgram& Pilot::program() {
+const SceneProgram& QualityPilot::program() {
     take_scene(asked_);
     return source_->program();
 }
 
-std::vector<PilotPicture> Pilot::render(const QualitySetting& setting) {
+std::vector<PilotPicture> QualityPilot::render(const QualitySetting& setting) {
     std::vector<PilotPicture> pictures;
     for (const int64_t frame : frames_)
         pictures.push_back(render(setting, frame));
     return pictures;
 }
 
-PilotPicture Pilot::render_first(const QualitySetting& setting) {
+PilotPicture QualityPilot::render_first(const QualitySetting& setting) {
     return render(setting, frames_.front());
 }
 
-void Pilot::take_scene(const QualitySetting& setting) {
+void QualityPilot::take_scene(const QualitySetting& setting) {
     if (held_ && shares_scene(*held_, setting))
         return;
     on_device_.reset();
@@ -56,7 +56,7 @@ void Pilot::take_scene(const QualitySetting& setting) {
     source_->scenes(frames_.front());
 }
 
-PilotPicture Pilot::render(const QualitySetting& setting, int64_t frame) {
+PilotPicture QualityPilot::render(const QualitySetting& setting, int64_t frame) {
     if (stop_.caught())
         throw Interrupted(stop_.caught());
     take_scene(setting);
