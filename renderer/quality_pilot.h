@@ -50,7 +50,7 @@ private:
 
     SceneOptions scene_; ///< as `held_` has it
     FrameSettings frame_;
-    const QualitySetting asked_;
+    QualitySetting asked_;
     const uint32_t whole_width_, whole_height_;
     std::vector<int64_t> frames_;
     FrameRenderer& renderer_;
