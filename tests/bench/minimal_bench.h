@@ -22,8 +22,8 @@ struct MinimalGrid {
     MinimalScene scene; ///< but for the arrays
 };
 
-/// With as many voxels as the renderer chooses. The scene must have spheres only, the first of its materials, finishes
-/// and pigments, and one plain light.
+/// With as many voxels as the renderer chooses. The scene must have spheres only, all of one material, and one plain
+/// light; of the material the first layer counts.
 MinimalGrid make_minimal_grid(const SceneProgram& scene);
 
 template <class Backend>

@@ -4,14 +4,16 @@
 #include "renderer/spatial_order.h"
 #include "tests/bench/minimal_bench.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace proxima::bench {
 namespace {
 
 void refuse_what_is_not_minimal(const SceneProgram& scene) {
+    const auto is_other = [&](uint32_t material) { return material != scene.sphere_materials[0]; };
     if (scene.spheres.empty() || !scene.planes.empty() || !scene.ellipsoids.empty() || scene.lights.size() != 1 ||
-        scene.pigments.size() != 1 || scene.finishes.size() != 1)
+        std::ranges::any_of(scene.sphere_materials, is_other))
         throw std::runtime_error("the scene must have spheres of one colour and one light, and nothing else");
 }
 
@@ -59,8 +61,9 @@ MinimalGrid make_minimal_grid(const SceneProgram& scene) {
     }
     const glm::vec3 extent = bounds.upper - bounds.lower;
     const auto size = grid_resolution({extent.x, extent.y, extent.z}, scene.spheres.size(), {});
-    const Pigment& pigment = scene.pigments[0];
-    const Finish& finish = scene.finishes[0];
+    const Layer& layer = scene.layers[scene.materials[scene.sphere_materials[0]].first_layer];
+    const Pigment& pigment = scene.pigments[layer.pigment];
+    const Finish& finish = scene.finishes[layer.finish];
     grid.scene.bounds = bounds;
     grid.scene.size = {size[0], size[1], size[2]};
     grid.scene.voxel = extent / glm::vec3(grid.scene.size);
