@@ -5,6 +5,7 @@
 #include "tests/kernels/motion_backend_tests.h"
 
 #include "tests/kernels/aov_backend_tests.h"
+#include "tests/kernels/baseline_backend_tests.h"
 
 template <> std::unique_ptr<FrameRenderer> proxima::test::make_renderer<CpuBackend>() {
     return make_cpu_renderer(0);
