@@ -30,6 +30,10 @@ void compare_command(const CompareOptions& options);
 /// Throws what render_command throws.
 void tradeoff_command(const TradeoffOptions& options);
 
+/// Measures the experiments of a name, prints them as a table, and writes tables and charts into a folder.
+/// Throws FileError, DeviceError, Interrupted, and PicturesDiffer when two methods did not make the same picture.
+void bench_command(const BenchOptions& options);
+
 /// Prints the devices as a table or as JSON.
 void devices_command(const DevicesOptions& options);
 

@@ -70,6 +70,7 @@ struct Run {
     void operator()(const CompareOptions& options) const { compare_command(options); }
     void operator()(const TradeoffOptions& options) const { tradeoff_command(options); }
     void operator()(const DevicesOptions& options) const { devices_command(options); }
+    void operator()(const BenchOptions& options) const { bench_command(options); }
     void operator()(const Information& information) const { std::fputs(information.text.c_str(), stdout); }
 };
 

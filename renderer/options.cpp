@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/options.h"
+#include "renderer/bench/bench_options.h"
 #include "renderer/compare_options.h"
 #include "renderer/errors.h"
 #include "renderer/ini_options.h"
@@ -16,7 +17,8 @@ namespace {
 
 /// CLI11 would only say that a command is missing.
 void check_command_name(int argc, const char* const* argv) {
-    static constexpr std::string_view names[] = {"render", "verify", "compare", "check", "plan", "tradeoff", "devices"};
+    static constexpr std::string_view names[] = {"render", "verify",   "compare", "check",
+                                                 "plan",   "tradeoff", "bench",   "devices"};
     const std::string_view name = argc > 1 ? argv[1] : "";
     if (name.starts_with('-') || std::find(std::begin(names), std::end(names), name) != std::end(names))
         return;
@@ -61,6 +63,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_choice_options(*plan, plan_texts, "plan for");
     add_shutter_options(*plan, plan_texts);
     plan->add_flag("--json", plan_options.json, "As JSON");
+    BenchTexts bench_texts;
+    const CLI::App* bench = add_bench(app, bench_texts);
     CLI::App* devices = app.add_subcommand("devices", "List what can render");
     devices->add_flag("--json", devices_options.json, "As JSON");
 
@@ -98,6 +102,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         plan_options.scene = read_scene_options(plan_texts);
         return plan_options;
     }
+    if (bench->parsed())
+        return read_bench_options(bench_texts);
     if (!devices->parsed())
         throw UsageError("no command; write `proxima render SCENE`, or see `proxima --help`");
     return devices_options;

@@ -123,13 +123,27 @@ struct DevicesOptions {
     bool json = false;
 };
 
+/// Experiments with scenes of the program's own.
+struct BenchOptions {
+    enum class Name { seed, sparse, scale } name = Name::seed;
+    std::optional<std::filesystem::path> output; ///< the folder of tables, charts and scenes
+    DeviceChoice device;
+    unsigned threads = 0;
+    bool full = false;               ///< everything, instead of about a minute's worth on two cores
+    uint32_t width = 0, height = 0;  ///< 0: what suits
+    uint32_t repeats = 0;            ///< frames that a time is the median of; 0: what suits
+    std::vector<uint64_t> spheres;   ///< empty: what suits
+    std::vector<std::string> scenes; ///< empty: all of the experiment's
+    bool json = false;
+};
+
 /// --help and --version: text for standard output, and nothing else to do.
 struct Information {
     std::string text;
 };
 
 using Command = std::variant<RenderOptions, VerifyOptions, ColorChoicesOptions, CheckOptions, PlanOptions,
-                             CompareOptions, TradeoffOptions, DevicesOptions, Information>;
+                             CompareOptions, TradeoffOptions, BenchOptions, DevicesOptions, Information>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);
