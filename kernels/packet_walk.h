@@ -74,11 +74,17 @@ private:
             slope_[0][lane] = direction[0][lane] * scale[u] * pace;
             slope_[1][lane] = direction[1][lane] * scale[v] * pace;
             const Real sideways = larger(magnitude(slope_[0][lane]), magnitude(slope_[1][lane]));
-            const bool is_stray = enters(lane) & !((pace > 0) & (sideways < Real(4)));
+            // Not those at extremes either, whose places are not numbers.
+            const bool is_inside = starts_inside(start_[lane], axis_) & starts_inside(place_[0][lane], u) &
+                                   starts_inside(place_[1][lane], v);
+            const bool is_stray = enters(lane) & !((pace > 0) & (sideways < Real(4)) & is_inside);
             strays |= is_stray ? 1u : 0u;
             pace_[lane] = enters(lane) ? pace : infinity<Real>; // so that it reaches no slice
         }
         is_coherent_ = strays == 0;
+    }
+    HD_INNER bool starts_inside(Real place, int axis) const {
+        return (place >= -1) & (place <= Real(grid_.size[axis] + 1));
     }
     HD_INNER bool enters(uint32_t lane) const { return !rays_.is_idle(lane) & (rays_.meets_bounds[lane] != 0); }
 

@@ -35,7 +35,7 @@ public:
         const double steps[] = {s.motion_ms, s.build_ms, s.cloud_ms, s.trace_ms};
         for (size_t i = 0; i < 4; ++i)
             values_[i].push_back(steps[i]);
-        values_[4].push_back(steps[0] + steps[1] + steps[2] + steps[3] + s.choose_ms);
+        values_[4].push_back(steps[0] + steps[1] + steps[2] + steps[3]);
     }
     void write_to(BenchRow& row) const {
         double* const places[] = {&row.motion_ms, &row.build_ms, &row.map_ms, &row.trace_ms, &row.frame_ms};
