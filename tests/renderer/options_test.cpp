@@ -179,10 +179,11 @@ TEST_CASE("options: what cannot be is refused, and the message says what to writ
         CHECK_THROWS_WITH_AS(render(row.arguments), row.message, UsageError);
     }
     CHECK_THROWS_WITH_AS(parse({}), "no command; write `proxima render SCENE`, or see `proxima --help`", UsageError);
-    CHECK_THROWS_WITH_AS(parse({"rendr", "a.scn"}),
-                         "'rendr' is no command; write one of render, verify, compare, check, plan, tradeoff, devices; "
-                         "did you mean render?",
-                         UsageError);
+    CHECK_THROWS_WITH_AS(
+        parse({"rendr", "a.scn"}),
+        "'rendr' is no command; write one of render, verify, compare, check, plan, tradeoff, bench, devices; "
+        "did you mean render?",
+        UsageError);
     CHECK_THROWS_AS(parse({"render"}), UsageError);
     CHECK_THROWS_AS(parse({"render", "a.scn", "--colour"}), UsageError);
     CHECK_THROWS_AS(parse({"render", "a.scn", "b.scn"}), UsageError);
