@@ -6,21 +6,13 @@
 #include "renderer/cloud_builder.h"
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
-#include "renderer/grid_resolution.h"
+#include "renderer/grid_plan.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace proxima {
-
-/// What a grid is to be like.
-struct GridPlan {
-    std::array<uint32_t, 3> size{0, 0, 0}; ///< voxels along each axis; 0: by voxels_per_primitive
-    double voxels_per_primitive = GridRule{}.voxels_per_primitive;
-    uint32_t brick = 0; ///< voxels along a brick of the cloud, a power of two; 0: no cloud
-    Metric metric = Metric::chessboard;
-};
 
 template <class Backend, class Real> class GridBuilder {
 public:
@@ -60,12 +52,13 @@ public:
 
     /// Starts to make scene.grid as `plan` has it, or coarser where there is not memory enough. Room is made for lists
     /// as long as those that were seen last; whether that was enough, is_complete() tells.
-    void build(SceneView<Real>& scene, const GridPlan& plan) {
+    /// `waits`: it is complete at once.
+    void build(SceneView<Real>& scene, const GridPlan& plan, bool waits = false) {
         if (bounded_ == 0)
             return;
         do {
             start(scene, plan);
-            if (has_seen_ && !Backend::is_immediate)
+            if (has_seen_ && !Backend::is_immediate && !waits)
                 return;
             backend_.synchronize();
         } while (!is_complete());
@@ -103,18 +96,12 @@ public:
         statistics.mean_distance = cloud_.mean_distance();
     }
 
-    /// The mean distance over the empty bricks of the cloud that `plan` would make: only its bricks are marked, and no
-    /// lists are made. Waits for the device.
-    double mean_distance(SceneView<Real> scene, const GridPlan& plan) {
-        if (bounded_ == 0)
-            return 0;
-        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
-        clear_counts();
-        cloud_.mark(scene, plan.metric, counts_.view());
-        cloud_.measure(scene.grid.cloud);
-        backend_.synchronize();
-        return cloud_.mean_distance();
+    /// The grid that `plan` would make over the bounds, without memory.
+    GridView<Real> planned(const Box<Real>& bounds, const GridPlan& plan) const {
+        return grid_over(bounds, voxels(bounds, plan), plan.brick);
     }
+    /// Whether there is anything for a grid.
+    bool has_bounded() const { return bounded_ > 0; }
 
     /// Starts to measure the cloud's distances. The scene's grid must have been built with one.
     void build_distances(SceneView<Real>& scene) { cloud_.measure(scene.grid.cloud); }
@@ -188,7 +175,7 @@ private:
             link_room_ = std::min<uint64_t>(uint64_t(bounded_) * expected_links, link_budget());
         if (!has_seen_)
             most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
-        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
+        scene.grid = planned(scene.geometry.bounds, plan);
         cells_ = scene.grid.cell_count();
         is_coarsest_ = (plan.brick > 0 ? scene.grid.cloud.brick_count() : cells_) == 1;
         if (links_.size() < link_room_)

@@ -32,6 +32,8 @@ Json frame_json(const FrameRecord& record) {
             {"motion_ms", statistics.motion_ms},
             {"build_ms", statistics.build_ms},
             {"cloud_ms", statistics.cloud_ms},
+            {"choose_ms", statistics.choose_ms},
+            {"predicted_ms", statistics.predicted_ms},
             {"relay_ms", statistics.relay_ms},
             {"trace_ms", statistics.trace_ms},
             {"readback_ms", statistics.readback_ms},

@@ -368,10 +368,19 @@ TEST_CASE_TEMPLATE("frame: whoever watches is told of every step, in order", Bac
     renderer->set_scene(random_scene(3, {}), Precision::float32);
     FrameSettings settings;
     settings.accelerator = Accelerator::cloud;
+    settings.density = 32;
     Image image;
     renderer->render(settings, image);
     CHECK(watch.begun == std::vector{FrameStep::build, FrameStep::map, FrameStep::trace, FrameStep::read_back});
     CHECK(watch.ended == watch.begun);
+    watch.begun.clear(), watch.ended.clear();
+    settings.density = 0; // the first frame looks around
+    renderer->render(settings, image);
+    CHECK(std::count(watch.begun.begin(), watch.begun.end(), FrameStep::choose) == 1);
+    CHECK(watch.ended == watch.begun);
+    watch.begun.clear();
+    renderer->render(settings, image);
+    CHECK(watch.begun == std::vector{FrameStep::build, FrameStep::map, FrameStep::trace, FrameStep::read_back});
 }
 
 TEST_CASE_TEMPLATE("frame: a picture is the same in a grid that another device has built", Backend, BACKENDS) {
