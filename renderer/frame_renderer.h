@@ -81,8 +81,9 @@ struct FrameSettings {
 struct FrameStatistics {
     std::string method; ///< "grid", "cloud" or "brute"
     std::array<uint32_t, 3> grid{0, 0, 0};
-    uint64_t references = 0; ///< entries in all voxels' lists
-    uint64_t occupied = 0;   ///< voxels with at least one
+    std::array<uint32_t, 3> wanted_grid{0, 0, 0}; ///< which did not fit into memory; 0: it did
+    uint64_t references = 0;                      ///< entries in all voxels' lists
+    uint64_t occupied = 0;                        ///< voxels with at least one
     Metric metric = Metric::chessboard;
     uint32_t brick = 0;       ///< voxels along a brick of the cloud
     double mean_distance = 0; ///< over the cloud's empty bricks, in bricks

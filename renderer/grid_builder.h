@@ -7,6 +7,7 @@
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_plan.h"
+#include "renderer/outlier_rule.h"
 
 #include <algorithm>
 #include <bit>
@@ -43,6 +44,7 @@ public:
                 geometry.large_radius = std::ldexp(Real(1), exponent++);
                 total = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
             } while (total.large > most_large);
+        OutlierRule::apply(backend_, geometry, total, std::exp2(double(size.exponents) / double(size.count)));
         if (total.large > 0)
             list_large(geometry, total.large);
         if (total.bounded > 0)
@@ -87,6 +89,8 @@ public:
             return;
         for (int i = 0; i < 3; ++i)
             statistics.grid[i] = uint32_t(grid.size[i]);
+        if (is_coarser_)
+            statistics.wanted_grid = wanted_;
         statistics.references = seen_counts_.value().links;
         statistics.occupied = seen_counts_.value().occupied;
         if (!grid.cloud.in_use())
@@ -98,7 +102,7 @@ public:
 
     /// The grid that `plan` would make over the bounds, without memory.
     GridView<Real> planned(const Box<Real>& bounds, const GridPlan& plan) const {
-        return grid_over(bounds, voxels(bounds, plan), plan.brick);
+        return grid_over(bounds, voxels(bounds, plan, most_voxels_), plan.brick);
     }
     /// Whether there is anything for a grid.
     bool has_bounded() const { return bounded_ > 0; }
@@ -137,11 +141,11 @@ private:
     }
     uint64_t link_budget() const { return std::min<uint64_t>(most_links, budget() / sizeof(GridLink)); }
 
-    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, const GridPlan& plan) const {
+    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, const GridPlan& plan, uint64_t most_voxels) const {
         const Vec3<double> extent(bounds.upper - bounds.lower);
         GridRule rule;
         rule.voxels_per_primitive = plan.voxels_per_primitive;
-        rule.most_voxels = most_voxels_;
+        rule.most_voxels = most_voxels;
         std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);
         for (int i = 0; i < 3; ++i)
             if (plan.size[i] > 0)
@@ -176,6 +180,8 @@ private:
         if (!has_seen_)
             most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
         scene.grid = planned(scene.geometry.bounds, plan);
+        wanted_ = voxels(scene.geometry.bounds, plan, GridRule{}.most_voxels);
+        is_coarser_ = wanted_ != voxels(scene.geometry.bounds, plan, most_voxels_);
         cells_ = scene.grid.cell_count();
         is_coarsest_ = (plan.brick > 0 ? scene.grid.cloud.brick_count() : cells_) == 1;
         if (links_.size() < link_room_)
@@ -214,7 +220,9 @@ private:
     typename Backend::template Receipt<GridCounts> seen_counts_;
     uint32_t bounded_ = 0;
     uint64_t cells_ = 0;
-    bool is_coarsest_ = false; ///< the grid is one voxel, or one brick
+    std::array<uint32_t, 3> wanted_{0, 0, 0}; ///< voxels, if there were memory for them
+    bool is_coarser_ = false;                 ///< than that
+    bool is_coarsest_ = false;                ///< the grid is one voxel, or one brick
     uint64_t link_room_ = 0;
     uint32_t brick_room_ = 0;
     uint64_t most_voxels_ = GridRule{}.most_voxels;
