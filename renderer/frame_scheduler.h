@@ -9,7 +9,6 @@
 #include "renderer/frame_writer.h"
 #include "renderer/stop_signal.h"
 
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -73,9 +72,8 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     size_t running_ = 0;
-    std::atomic<bool> told_of_memory_{false}; ///< that a grid had to be coarser
-    std::exception_ptr fatal_;                ///< ends the run
-    std::exception_ptr device_error_;         ///< the last one
+    std::exception_ptr fatal_;        ///< ends the run
+    std::exception_ptr device_error_; ///< the last one
     std::vector<std::thread> threads_;
 };
 
