@@ -30,7 +30,9 @@ void draw(OIIO::ImageBuf& sheet, const Image& image, int left, int top, int widt
 
 void write(OIIO::ImageBuf& sheet, int x, int y, const std::string& text, int size) {
     const float black[3] = {0, 0, 0};
-    OIIO::ImageBufAlgo::render_text(sheet, x, y, text, size, "", black);
+    if (!OIIO::ImageBufAlgo::render_text(sheet, x, y, text, size, "DejaVuSans", black))
+        throw std::runtime_error("no text on the contact sheet (Debian's fonts-dejavu-core has DejaVuSans): " +
+                                 sheet.geterror());
 }
 
 } // namespace
