@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -86,6 +87,12 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
+/// A long parse is announced in between, when a second has passed.
+std::string without_banners(const std::string& text) {
+    static const std::regex banner(R"(={4,}\[[^\]]*\]={4,})");
+    return std::regex_replace(text, banner, "");
+}
+
 /// What POV-Ray prints with #debug between one @ and the next.
 std::vector<std::string> povray_prints(const std::string& name, const std::string& text) {
     std::ofstream(name + ".scn") << text << "#debug \"@\\n\"\nsphere { 0, 1 }\n";
@@ -97,7 +104,7 @@ std::vector<std::string> povray_prints(const std::string& name, const std::strin
         run.standard_error.substr(std::min(run.standard_error.find("@0"), run.standard_error.size()));
     std::vector<std::string> prints;
     for (size_t at = 0, next; (next = output.find('@', at + 1)) != std::string::npos; at = next)
-        prints.push_back(without_blanks(output.substr(at + 1, next - at - 1)));
+        prints.push_back(without_banners(without_blanks(output.substr(at + 1, next - at - 1))));
     return prints;
 }
 
