@@ -85,7 +85,7 @@ TEST_CASE("extremes: what a scene has twice throws no shadow on itself") {
         }
 }
 
-TEST_CASE("extremes: a sphere on a globe of radius 1e6 stands on it in float, and its shadow begins there") {
+TEST_CASE("extremes: a sphere on a globe of radius 123456.7 stands on it in float, and its shadow begins there") {
     const ExtremeCase extreme{"", "ground.scn", {{"Radius", "123456.7"}}, 96, 72};
     const SceneProgram scene = read_case(extreme);
     REQUIRE(float_fit(scene, extreme.width).holds());
