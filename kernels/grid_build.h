@@ -2,6 +2,7 @@
 // Building a frame's grid on the device. In order: how big the primitives are, which of them are too large for a grid
 // and the bounds of the others; which bricks are occupied, if there is to be a cloud; then the lists, in one pass.
 #pragma once
+#include "kernels/brick_marks.h"
 #include "kernels/scene_view.h"
 
 namespace proxima {
@@ -102,28 +103,28 @@ struct GridCounts {
     uint32_t bricks = 0;   ///< occupied ones of the cloud
 };
 
-/// Primitive -> the bricks that it overlaps are occupied: their distance is 0, and they get a rank and empty lists.
+/// Primitive -> the bricks that it overlaps are occupied: they get a mark, a rank and empty lists.
 template <class Real> struct MarkBricks {
     static constexpr uint32_t no_rank = 0xffffffffu, claimed = 0xfffffffeu;
 
-    GridView<Real> grid; ///< with its cloud: ranks are no_rank, distances 255 at the start
+    GridView<Real> grid; ///< with its cloud: ranks are no_rank at the start
     GeometryView<Real> geometry;
     std::span<GridCounts> counts; ///< one
-    std::span<uint8_t> distances;
+    BrickMarks marks;             ///< none at the start
 
     HD void operator()(uint32_t id) const {
-        const GridView<Real> bricks = brick_grid(grid);
-        for_each_cell_of(bricks, geometry, id, [&](int32_t x, int32_t y, int32_t z) { occupy(bricks.index(x, y, z)); });
+        for_each_cell_of(brick_grid(grid), geometry, id,
+                         [&](int32_t x, int32_t y, int32_t z) { occupy(x, uint32_t(y + grid.cloud.size.y * z)); });
     }
 
 private:
-    HD void occupy(uint32_t brick) const {
-        uint32_t* const place = &grid.cloud.ranks[brick];
+    HD void occupy(int32_t x, uint32_t row) const {
+        uint32_t* const place = &grid.cloud.ranks[uint32_t(x) + uint32_t(grid.cloud.size.x) * row];
         if (load_relaxed(place) != no_rank || atomic_compare_exchange(place, no_rank, claimed) != no_rank)
             return;
         const uint32_t rank = atomic_add(&counts[0].bricks, 1);
         store_relaxed(place, rank);
-        distances[brick] = 0;
+        marks.set(row, x);
         const uint64_t voxels = 1u << (3 * grid.cloud.shift), first = rank * voxels;
         if (first + voxels <= grid.heads.size())
             for (uint64_t voxel = first; voxel < first + voxels; ++voxel)

@@ -68,6 +68,31 @@ HD inline uint32_t atomic_compare_exchange(uint32_t* place, uint32_t expected, u
 #endif
 }
 
+/// Sets bits of `*place` atomically.
+HD inline void atomic_or(uint32_t* place, uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    atomicOr(place, bits);
+#else
+    __atomic_fetch_or(place, bits, __ATOMIC_RELAXED);
+#endif
+}
+
+/// The zeros above the highest bit, and below the lowest one; `bits` is not 0.
+HD inline int32_t leading_zeros(uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    return __clz(int(bits));
+#else
+    return __builtin_clz(bits);
+#endif
+}
+HD inline int32_t trailing_zeros(uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    return __ffs(int(bits)) - 1;
+#else
+    return __builtin_ctz(bits);
+#endif
+}
+
 /// Adds to a counter that all threads add to at the same time: a warp adds as one.
 HD inline void count_up(uint64_t* counter, uint32_t amount) {
 #if defined(__CUDA_ARCH__)

@@ -17,17 +17,20 @@ TEST_CASE_TEMPLATE("baseline: pair by pair the map has the bytes that it has pas
         CAPTURE(one_in);
         CAPTURE(voxels);
         typename Backend::template Buffer<uint32_t> words(backend), filled(backend), count(backend), far(backend);
-        typename Backend::template Buffer<uint8_t> marks(backend), map(backend), passed(backend), between(backend);
+        typename Backend::template Buffer<uint32_t> marks(backend);
+        typename Backend::template Buffer<uint8_t> map(backend), passed(backend), between(backend);
+        typename Backend::template Buffer<DistanceTotal> total(backend);
         words.resize(size_t(voxels) * paper.stride());
         paper.words = words.view();
         backend.for_each(uint32_t(size.x * size.y), baselines::ClearPaperVoxels{paper});
         std::vector<uint32_t> filled_words(words.size());
         words.download(filled_words.data());
-        std::vector<uint8_t> occupied(voxels, 255);
+        std::vector<uint32_t> occupied(BrickMarks::word_count(size));
+        const BrickMarks occupied_bits{occupied, BrickMarks::row_words(size)};
         for (uint32_t voxel = 0; voxel < voxels; ++voxel)
             if (engine() % one_in == 0) {
                 filled_words[size_t(voxel) * paper.stride()] = 1;
-                occupied[voxel] = 0;
+                occupied_bits.set(voxel / uint32_t(size.x), int32_t(voxel % uint32_t(size.x)));
             }
         words.upload(filled_words.size(), [&](size_t i) { return filled_words[i]; });
         marks.upload(occupied.size(), [&](size_t i) { return occupied[i]; });
@@ -42,14 +45,20 @@ TEST_CASE_TEMPLATE("baseline: pair by pair the map has the bytes that it has pas
             backend.for_each(voxels * count.read(0), baselines::MeasurePairs{paper, metric, filled.view(), far.view()});
             backend.for_each(voxels, baselines::NarrowDistances{far.view(), map.view()});
 
-            DistancePass pass{.cloud = {.size = size, .metric = metric}, .occupied = marks.view()};
-            pass.in = marks.view();
+            total.resize(1);
+            total.fill_bytes(0);
+            DistancePass pass{.cloud = {.size = size, .metric = metric},
+                              .marks = {marks.view(), BrickMarks::row_words(size)},
+                              .piece = 32,
+                              .total = total.view()};
             passed.resize(voxels);
             between.resize(voxels);
-            for (pass.axis = 0; pass.axis < 3; ++pass.axis) {
+            const RowDistances<1> rows{pass.cloud, pass.marks, passed.view()};
+            backend.for_each(rows.item_count(), rows);
+            for (pass.axis = 1; pass.axis < 3; ++pass.axis) {
+                pass.in = pass.axis == 1 ? passed.view() : between.view();
                 pass.out = pass.axis == 1 ? between.view() : passed.view();
                 backend.for_each(pass.item_count(), pass);
-                pass.in = pass.out;
             }
             std::vector<uint8_t> by_pairs(voxels), by_passes(voxels);
             map.download(by_pairs.data());
