@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose paths all end at their first surface: opaque, without mirrors, and plain (see Features). Their pixels
-// are made in three passes, each of which remembers little while it looks for hits: what a ray meets first, which
-// lights shine there, and what the eye sees of that. On a GPU registers are what limits the rays in flight.
+// Scenes whose paths all end at their first surface: opaque, without mirrors, and plain (see Features). On a GPU
+// registers are what limits the rays in flight, so that a kernel knows the one way that rays go through the frame's
+// grid.
 #pragma once
 #include "kernels/film.h"
 #include "kernels/layers.h"
@@ -20,9 +20,7 @@ template <class Real> struct FirstHitPass {
 
     SceneView<Real> scene;
     FilmView film;
-    std::span<Hit<Real>> hits;   ///< of the wave
-    std::span<uint32_t> shadows; ///< of the wave: bit i says that light i does not shine there
-    uint64_t first = 0;          ///< of the wave
+    uint64_t first = 0; ///< of the wave
     uint32_t sample = 0;
 
     /// Where pixel `index` of the wave lies in the film; `nowhere` where nothing is to be done.
@@ -86,64 +84,38 @@ HD Vec3<Real> FirstHitPass<Real>::light_of(const Vec3<Real>& direction, const Su
     return sum;
 }
 
-/// Pixel -> what its ray meets first.
-template <class Real, RoundShapes shapes> struct FindFirstHits {
+/// Pixel -> its sample's light, added to the film. `ways`: those through the scene's grid.
+template <class Real, RoundShapes shapes, Ways ways> struct TraceFirstHits {
     static constexpr uint32_t blocks_together = sizeof(Real) == 4 ? most_blocks : 1;
-
-    FirstHitPass<Real> pass;
-
-    HD void operator()(uint32_t index) const {
-        pass.at(index, [&](uint64_t, const SourcedRay<Real>& ray) {
-            const SceneView<Real>& scene = pass.scene;
-            const HitLimits<Real>& limits = scene.limits;
-            pass.hits[index] =
-                find_nearest<shapes>(scene, rebase(ray, scene.geometry.bounds), {}, limits.nearest, limits.farthest, 0);
-        });
-    }
-};
-
-/// Pixel -> which lights do not shine on what it shows.
-template <class Real, RoundShapes shapes> struct FindShadows {
-    static constexpr uint32_t blocks_together = sizeof(Real) == 4 ? most_blocks : 1;
-
-    FirstHitPass<Real> pass;
-
-    HD void operator()(uint32_t index) const {
-        pass.at(index, [&](uint64_t, const SourcedRay<Real>& ray) {
-            const SceneView<Real>& scene = pass.scene;
-            const Hit<Real> hit = pass.hits[index];
-            if (hit.primitive == no_primitive)
-                return;
-            const Surface<Real> surface = pass.surface_of(ray, hit);
-            uint32_t shadows = 0;
-            for (uint32_t i = 0; i < scene.lights.size(); ++i) {
-                const Light<Real>& light = scene.lights[i];
-                const PlainLight<Real> seen(light, surface);
-                if (seen.shines() && !light.shadowless &&
-                    is_shadowed<shapes>(scene, surface, seen.ray.direction, seen.ray.distance))
-                    shadows |= 1u << i;
-            }
-            pass.shadows[index] = shadows;
-        });
-    }
-};
-
-/// Pixel -> its sample's light, added to the film.
-template <class Real> struct ShadeFirstHits {
-    static constexpr uint32_t blocks_together = sizeof(Real) == 4 ? 8 : 1;
 
     FirstHitPass<Real> pass;
 
     HD void operator()(uint32_t index) const {
         pass.at(index, [&](uint64_t place, const SourcedRay<Real>& ray) {
-            const Hit<Real> hit = pass.hits[index];
-            if (hit.primitive == no_primitive) {
-                pass.add(place, pass.light_of(ray.ray.direction, nullptr, 0));
-            } else {
-                const Surface<Real> surface = pass.surface_of(ray, hit);
-                pass.add(place, pass.light_of(ray.ray.direction, &surface, pass.shadows[index]));
-            }
+            const SceneView<Real>& scene = pass.scene;
+            const HitLimits<Real>& limits = scene.limits;
+            const BasedRay<Real> based = rebase(ray, scene.geometry.bounds);
+            const Hit<Real> hit = find_nearest<shapes, ways>(scene, based, {}, limits.nearest, limits.farthest, 0);
+            if (hit.primitive == no_primitive)
+                return pass.add(place, pass.light_of(ray.ray.direction, nullptr, 0));
+            const Surface<Real> surface = surface_at(scene, ray, based, hit);
+            pass.add(place, pass.light_of(ray.ray.direction, &surface, shadows_at(surface)));
         });
+    }
+
+private:
+    /// Bit i says that light i does not shine there.
+    HD uint32_t shadows_at(const Surface<Real>& surface) const {
+        const SceneView<Real>& scene = pass.scene;
+        uint32_t shadows = 0;
+        for (uint32_t i = 0; i < scene.lights.size(); ++i) {
+            const Light<Real>& light = scene.lights[i];
+            const PlainLight<Real> seen(light, surface);
+            if (seen.shines() && !light.shadowless &&
+                is_shadowed<shapes, ways>(scene, surface, seen.ray.direction, seen.ray.distance))
+                shadows |= 1u << i;
+        }
+        return shadows;
     }
 };
 

@@ -56,8 +56,8 @@ template <class Real> HD GridView<Real> make_grid(const Box<Real>& bounds, const
     grid.end = Vec3<Real>(size);
     grid.voxel = (bounds.upper - bounds.lower) / Vec3<Real>(size);
     grid.inverse_voxel = Vec3<Real>(size) / (bounds.upper - bounds.lower);
-    // A walk strays from its ray by at most 3 * 2^-24 of the distance from the entry point (in float), a sphere test by
-    // about the same; a thousandth of a voxel on top is what the measurements asked for.
+    // A walk strays from its ray by at most 5 * 2^-24 of the grid's length (in float), a sphere test by less; a
+    // thousandth of a voxel on top is what the measurements asked for.
     const Real longest = Real(larger(larger(size.x, size.y), size.z));
     grid.inflation =
         (Real(1e-3) + longest * Real(8) * std::numeric_limits<Real>::epsilon()) * max_component(grid.voxel);

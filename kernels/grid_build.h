@@ -132,59 +132,58 @@ private:
     }
 };
 
-/// Primitive -> the voxels that it overlaps; 0 behind the last one. Sums of these are where each one's links begin.
-template <class Real> struct CountLinks {
+/// Primitives -> each becomes the first of the list of each voxel that it overlaps. The heads are no_link at the start.
+/// One item is `together` primitives, which take their links at once: cores would wait for each other's at each.
+template <class Real, uint32_t together> struct LinkPrimitives {
     GridView<Real> grid;
     GeometryView<Real> geometry;
-    std::span<uint32_t> links;
+    std::span<GridCounts> counts; ///< one
 
-    HD void operator()(uint32_t id) const {
-        uint32_t count = 0;
-        if (id < geometry.round_count())
+    HD static uint32_t item_count(uint32_t primitives) { return (primitives + together - 1) / together; }
+
+    HD void operator()(uint32_t item) const {
+        const uint32_t first = item * together, end = smaller(first + together, geometry.round_count());
+        uint32_t count = 0, occupied = 0;
+        for (uint32_t id = first; id < end; ++id)
             for_each_cell_of(grid, geometry, id, [&](int32_t, int32_t, int32_t) { ++count; });
-        links[id] = count;
-    }
-};
-
-/// Primitive -> it becomes the first of the list of each voxel that it overlaps. The heads are no_link at the start.
-template <class Real> struct LinkPrimitives {
-    GridView<Real> grid;
-    GeometryView<Real> geometry;
-    std::span<const uint32_t> first_links; ///< of each primitive, and behind the last one
-    std::span<GridCounts> counts;          ///< one
-
-    HD void operator()(uint32_t id) const {
-        uint32_t link = first_links[id], occupied = 0;
-        if (id + 1 == geometry.round_count())
-            counts[0].links = first_links[id + 1];
-        if (first_links[id + 1] > grid.links.size())
+        uint64_t link = take_from(&counts[0].links, count);
+        if (link + count > grid.links.size())
             return;
-        const SmallCells cells = first_links[id + 1] > link && geometry.is_sphere(id)
-                                     ? small_cells(grid, geometry.spheres[id])
-                                     : SmallCells{};
-        if (cells.is_small) {
-            // All at once, since each exchange takes a long way to memory.
-            uint32_t next[8];
-            for (int i = 0; i < 8; ++i)
-                next[i] = cells.mask >> i & 1 ? exchange(cells.first.x + (i & 1), cells.first.y + (i >> 1 & 1),
-                                                         cells.first.z + (i >> 2), link + bits_below(cells.mask, i))
-                                              : 0;
-            for (int i = 0; i < 8; ++i)
-                if (cells.mask >> i & 1) {
-                    grid.links[link + bits_below(cells.mask, i)] = {id, next[i]};
-                    occupied += next[i] == no_link;
-                }
-        } else {
-            for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
-                const uint32_t next = exchange(x, y, z, link);
-                grid.links[link++] = {id, next};
-                occupied += next == no_link;
-            });
-        }
+        for (uint32_t id = first; id < end; ++id)
+            occupied += link_one(id, link);
         count_up(&counts[0].occupied, occupied);
     }
 
 private:
+    /// Puts a primitive into its lists, by the links from `link` on. Returns how many of them were empty.
+    HD uint32_t link_one(uint32_t id, uint64_t& link) const {
+        const Real radius = geometry.radius(id);
+        if (!(radius > 0) || radius > geometry.large_radius)
+            return 0;
+        uint32_t occupied = 0;
+        const SmallCells cells = geometry.is_sphere(id) ? small_cells(grid, geometry.spheres[id]) : SmallCells{};
+        if (cells.is_small) {
+            // All at once, since each exchange takes a long way to memory.
+            uint32_t next[8];
+            for (int i = 0; i < 8; ++i)
+                next[i] = cells.mask >> i & 1
+                              ? exchange(cells.first.x + (i & 1), cells.first.y + (i >> 1 & 1),
+                                         cells.first.z + (i >> 2), uint32_t(link) + bits_below(cells.mask, i))
+                              : 0;
+            for (int i = 0; i < 8; ++i)
+                if (cells.mask >> i & 1) {
+                    grid.links[link++] = {id, next[i]};
+                    occupied += next[i] == no_link;
+                }
+            return occupied;
+        }
+        for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
+            const uint32_t next = exchange(x, y, z, uint32_t(link));
+            grid.links[link++] = {id, next};
+            occupied += next == no_link;
+        });
+        return occupied;
+    }
     HD static uint32_t bits_below(uint32_t mask, int bit) {
         uint32_t count = 0;
         for (int i = 0; i < bit; ++i)

@@ -61,6 +61,9 @@ HD_RARE inline float exact_distance(const Sphere<double>& sphere, const Ray<floa
     return float(intersect(sphere, exact, double(nearest), double(min_half_chord2)));
 }
 
+/// What the lists of a grid hold. Kernels for scenes of spheres alone need not ask each primitive what it is.
+enum class RoundShapes { spheres, all };
+
 /// What a ray looks for: hits beyond `nearest` of the based origin. The primitive that the ray starts on is told apart
 /// by those who look, and only where a test finds something.
 template <class Real> struct Search {
@@ -77,19 +80,30 @@ template <class Real> struct Search {
         if (geometry.is_sphere(id))
             return distance_to_sphere(id);
         if (geometry.is_plane(id))
-            return intersect(geometry.plane(id), ray.ray, beyond(id), scene.limits.min_cosine);
+            return distance_to_plane(id);
         return intersect(geometry.ellipsoid(id), ray.ray, beyond(id), scene.limits.min_half_chord2);
     }
     /// The same for what is too large for the grid.
-    HD Real distance_to_large(uint32_t id) const {
+    template <RoundShapes shapes> HD Real distance_to_large(uint32_t id) const {
         if constexpr (std::is_same_v<Real, float>)
             if (scene.meets_exactly(id))
                 return exact_distance(scene.exact.spheres[id], ray.ray, beyond(id), scene.limits.min_half_chord2);
-        return distance_to(id);
+        return shapes == RoundShapes::spheres ? distance_to_sphere(id) : distance_to(id);
     }
     HD_INNER Real distance_to_sphere(uint32_t id) const {
         const Sphere<Real> sphere = scene.geometry.spheres[id];
         return intersect(sphere, ray.ray, beyond(id), scene.limits.min_half_chord2);
+    }
+    /// Calls found(distance) if the ray meets a sphere: most that it is shown it misses, and nothing more is done then.
+    template <class Found> HD_INNER bool at_sphere(uint32_t id, const Found& found) const {
+        const Sphere<Real> sphere = scene.geometry.spheres[id]; // in one load
+        const Approach<Real> met = approach(sphere, ray.ray);
+        if (!(met.half_chord2 > scene.limits.min_half_chord2))
+            return false;
+        return found(chord(met).beyond(beyond(id)));
+    }
+    HD Real distance_to_plane(uint32_t id) const {
+        return intersect(scene.geometry.plane(id), ray.ray, beyond(id), scene.limits.min_cosine);
     }
     /// The distance to the far side of the primitive that the ray starts on, or infinity.
     HD Real distance_to_exit() const {
@@ -125,8 +139,13 @@ public:
 
     /// True when nothing more needs to be met.
     HD_INNER bool meet(uint32_t id) { return consider(id, search_.distance_to(id)); }
-    HD_INNER bool meet_sphere(uint32_t id) { return consider(id, search_.distance_to_sphere(id)); }
-    HD bool meet_large(uint32_t id) { return consider(id, search_.distance_to_large(id)); }
+    HD_INNER bool meet_sphere(uint32_t id) {
+        return search_.at_sphere(id, [&](Real t) { return consider(id, t); });
+    }
+    HD bool meet_plane(uint32_t id) { return consider(id, search_.distance_to_plane(id)); }
+    template <RoundShapes shapes> HD bool meet_large(uint32_t id) {
+        return consider(id, search_.template distance_to_large<shapes>(id));
+    }
     HD_INNER bool is_done(Real reached) const { return best_.t <= reached; }
     HD const Hit<Real>& best() const { return best_; }
 
@@ -154,8 +173,13 @@ public:
         : search_(search), farthest_(farthest), found_(search.is_shadowed_by_source(farthest)) {}
 
     HD_INNER bool meet(uint32_t id) { return consider(id, search_.distance_to(id)); }
-    HD_INNER bool meet_sphere(uint32_t id) { return consider(id, search_.distance_to_sphere(id)); }
-    HD bool meet_large(uint32_t id) { return consider(id, search_.distance_to_large(id)); }
+    HD_INNER bool meet_sphere(uint32_t id) {
+        return search_.at_sphere(id, [&](Real t) { return consider(id, t); });
+    }
+    HD bool meet_plane(uint32_t id) { return consider(id, search_.distance_to_plane(id)); }
+    template <RoundShapes shapes> HD bool meet_large(uint32_t id) {
+        return consider(id, search_.template distance_to_large<shapes>(id));
+    }
     HD_INNER bool is_done(Real reached) const { return found_ || farthest_ <= reached; }
     HD bool found() const { return found_; }
 

@@ -27,11 +27,6 @@
 
 namespace proxima {
 
-/// a + b, or the largest number where that is too small; associative.
-HD constexpr uint32_t saturated_sum(uint32_t a, uint32_t b) {
-    return a + b < a ? 0xffffffffu : a + b;
-}
-
 /// Adds `value` to `*counter` atomically and returns what was there before.
 HD inline uint32_t atomic_add(uint32_t* counter, uint32_t value) {
 #if defined(__CUDA_ARCH__)
@@ -103,6 +98,29 @@ HD inline void count_up(uint64_t* counter, uint32_t amount) {
 #else
     if (amount > 0)
         atomic_add(counter, uint64_t(amount));
+#endif
+}
+
+/// Takes `amount` of what a counter counts, below 2^8 where threads take at the same time, and returns what was there
+/// before: a warp takes as one.
+HD inline uint64_t take_from(uint64_t* counter, uint32_t amount) {
+#if defined(__CUDA_ARCH__)
+    if (amount >= 256)
+        return atomic_add(counter, uint64_t(amount));
+    const unsigned active = __activemask(), below = active & ((1u << threadIdx.x % 32) - 1);
+    uint32_t before = 0, sum = 0;
+    for (int bit = 0; bit < 8; ++bit) {
+        const unsigned with_bit = __ballot_sync(active, amount >> bit & 1);
+        before += uint32_t(__popc(with_bit & below)) << bit;
+        sum += uint32_t(__popc(with_bit)) << bit;
+    }
+    const int leader = __ffs(int(active)) - 1;
+    uint64_t first = 0;
+    if (below == 0)
+        first = atomic_add(counter, uint64_t(sum));
+    return __shfl_sync(active, first, leader) + before;
+#else
+    return atomic_add(counter, uint64_t(amount));
 #endif
 }
 

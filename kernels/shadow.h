@@ -18,12 +18,12 @@ HD Vec3<Real> material_transmission(const SceneView<Real>& scene, const Material
 }
 
 /// Whether something stands between a surface and `distance` along `to_light`, where all that casts a shadow is opaque.
-template <RoundShapes shapes = RoundShapes::all, class Real, class Path>
+template <RoundShapes shapes = RoundShapes::all, Ways ways = Ways::any, class Real, class Path>
 HD bool is_shadowed(const SceneView<Real>& scene, const Surface<Path>& surface, const Vec3<Path>& to_light,
                     Real distance) {
     const Real margin = scene.limits.shadow_margin;
     const SourcedRay<Path> ray = leave(shapes_of<Path>(scene), surface, to_light, surface.from_inside);
-    return find_any<shapes>(scene, rebase(ray, scene.geometry.bounds), margin, distance - margin);
+    return find_any<shapes, ways>(scene, rebase(ray, scene.geometry.bounds), margin, distance - margin);
 }
 
 /// The light's tint after everything between the surface and `distance` along `to_light`: 0 behind an opaque primitive.

@@ -10,12 +10,13 @@
 
 namespace proxima {
 
-/// What a scene has; TracePixels is compiled for each. All but the last are plain: point lights, colours and checkers,
-/// no sky sphere, no fog, nothing hidden from some rays or lit from both sides. What a kernel can do it pays for, in
-/// registers at least, whether it is done or not.
+/// What a scene has; TracePixels is compiled for each. What a kernel can do it pays for, in registers at least, whether
+/// it is done or not. Plain scenes have point lights, colours and checkers, no sky sphere, and nothing that is hidden
+/// from some rays; none but the last has area lights, fog or anything lit from both sides.
 enum class Features : uint32_t {
-    opaque,  ///< no reflection, no transparency
-    mirrors, ///< opaque; at most one layer of a material reflects, and without an exponent
+    opaque,    ///< plain; no reflection, no transparency
+    mirrors,   ///< plain; no transparency; at most one layer of a material reflects, and without an exponent
+    furnished, ///< no reflection, no transparency
     all,
 };
 
@@ -24,11 +25,12 @@ enum class Features : uint32_t {
 template <class Real, Features features>
 using PathPrecision = std::conditional_t<features == Features::opaque, Real, double>;
 
-/// Follows the paths of one thread. `sum` is the light found so far.
-template <class Real, Features features> struct Tracer {
-    static constexpr bool plain = features != Features::all;
-    static constexpr bool transparent = !plain;
-    static constexpr bool ends = features == Features::opaque; ///< every path, at its first surface
+/// Follows the paths of one thread. `sum` is the light found so far. `shapes`, `ways`: of the scene's grid.
+template <class Real, Features features, RoundShapes shapes = RoundShapes::all, Ways ways = Ways::any> struct Tracer {
+    static constexpr bool plain = features == Features::opaque || features == Features::mirrors;
+    static constexpr bool transparent = features == Features::all;
+    /// Every path, at its first surface.
+    static constexpr bool ends = features == Features::opaque || features == Features::furnished;
     using Path = PathPrecision<Real, features>;
     using State = PathState<Real, Path>;
 
@@ -59,7 +61,8 @@ template <class Real, Features features> struct Tracer {
         const BasedRay<Real> based = rebase(path.ray, scene.geometry.bounds);
         const HitLimits<Real>& limits = scene.limits;
         const uint32_t hidden = !plain && scene.has_hidden ? path.hidden : 0u;
-        const Hit<Real> hit = find_nearest(scene, based, path.passed, limits.nearest, limits.farthest, hidden);
+        const Hit<Real> hit =
+            find_nearest<shapes, ways>(scene, based, path.passed, limits.nearest, limits.farthest, hidden);
         const Vec3<Real> direction(path.ray.ray.direction);
         if constexpr (transparent)
             if (!scene.fogs.empty())
@@ -105,7 +108,7 @@ template <class Real, Features features> struct Tracer {
         const LightRay<Real> ray = plain ? straight_light_ray(point, light.position) : light_ray(light, point);
         const LightGeometry<Real> geometry{layers.surface.normal, ray.direction, eye_direction};
         if (!(glm::dot(geometry.normal, geometry.to_light) >= Real(1e-10)) &&
-            (plain || !(scene.surfaces.materials[surface.material].flags & material_double_illuminate)))
+            (!transparent || !(scene.surfaces.materials[surface.material].flags & material_double_illuminate)))
             return Vec3<Real>(Real(0));
         Vec3<Real> arriving =
             Vec3<Real>(light.color) * (plain ? light_fade(light, ray.distance) : light_share(light, point, ray));
@@ -116,8 +119,9 @@ template <class Real, Features features> struct Tracer {
         if constexpr (!transparent) { // all of it or nothing, so that less needs to be kept while a shadow is looked
                                       // for
             const Vec3<Real> reflected = layers.reflected(geometry, arriving, true);
-            return is_shadowed(scene, surface, Vec3<Path>(ray.direction), ray.distance) ? Vec3<Real>(Real(0))
-                                                                                        : reflected;
+            return is_shadowed<shapes, ways>(scene, surface, Vec3<Path>(ray.direction), ray.distance)
+                       ? Vec3<Real>(Real(0))
+                       : reflected;
         } else {
             arriving *= light.area == Light<Real>::no_area
                             ? light_arriving(scene, surface, Vec3<Path>(ray.direction), ray.distance, interiors)
@@ -239,7 +243,8 @@ template <class Real, Features features> struct Tracer {
 };
 
 /// One call per pixel of a wave: traces its samples and stores their sum.
-template <class Real, Features features> struct TracePixels {
+template <class Real, Features features, RoundShapes shapes = RoundShapes::all, Ways ways = Ways::any>
+struct TracePixels {
     SceneView<Real> scene;
     FilmView film;
     PendingView<Real, PathPrecision<Real, features>> pending; ///< for a wave's number of threads
@@ -255,7 +260,7 @@ template <class Real, Features features> struct TracePixels {
                 return;
             film.marks[place] = sample_known;
         }
-        Tracer<Real, features> tracer{scene, pending};
+        Tracer<Real, features, shapes, ways> tracer{scene, pending};
         tracer.pending.thread = index;
         const auto camera = camera_in<PathPrecision<Real, features>>(scene.camera);
         const PixelPosition whole = film.in_whole(pixel);

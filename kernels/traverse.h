@@ -6,18 +6,19 @@
 namespace proxima {
 
 /// Shows a visitor every primitive that the ray may hit. `shapes`: those that a grid holds.
-template <RoundShapes shapes, class Real, class Visitor>
+/// `ways`: those through the grid that it may need.
+template <RoundShapes shapes, Ways ways = Ways::any, class Real, class Visitor>
 HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visitor& visitor) {
     const GeometryView<Real>& geometry = scene.geometry;
     const uint32_t round = geometry.round_count();
     for (uint32_t i = 0; i < geometry.planes.size(); ++i)
-        visitor.meet(round + i);
+        visitor.meet_plane(round + i);
     for (const uint32_t id : geometry.large)
-        visitor.meet_large(id);
+        visitor.template meet_large<shapes>(id);
     if (!ray.meets_bounds)
         return;
-    if (scene.grid.in_use()) {
-        walk<shapes>(scene.grid, ray.ray, visitor);
+    if (ways != Ways::any || scene.grid.in_use()) {
+        walk<shapes, ways>(scene.grid, ray.ray, visitor);
         return;
     }
     for (uint32_t id = 0; id < round && !visitor.is_done(-infinity<Real>); ++id)
@@ -27,21 +28,21 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
 
 /// The nearest hit between `nearest` and `farthest` of the ray's origin. A ray that has `passed` a hit already goes on
 /// from there: the next hit in order, at least `nearest` further on.
-template <RoundShapes shapes = RoundShapes::all, class Real>
+template <RoundShapes shapes = RoundShapes::all, Ways ways = Ways::any, class Real>
 HD Hit<Real> find_nearest(const SceneView<Real>& scene, const BasedRay<Real>& ray, const Hit<Real>& passed,
                           Real nearest, Real farthest, uint32_t hidden) {
     const bool goes_on = passed.primitive != no_primitive;
     const Search<Real> search{scene, ray, goes_on ? passed.t + nearest : nearest - ray.offset,
                               goes_on && nearest == 0 ? passed.primitive : no_primitive};
     NearestHit<Real> visitor(search, hidden, farthest - ray.offset);
-    visit_all<shapes>(scene, ray, visitor);
+    visit_all<shapes, ways>(scene, ray, visitor);
     return visitor.best();
 }
 
-template <RoundShapes shapes = RoundShapes::all, class Real>
+template <RoundShapes shapes = RoundShapes::all, Ways ways = Ways::any, class Real>
 HD bool find_any(const SceneView<Real>& scene, const BasedRay<Real>& ray, Real nearest, Real farthest) {
     AnyHit<Real> visitor({scene, ray, nearest - ray.offset}, farthest - ray.offset);
-    visit_all<shapes>(scene, ray, visitor);
+    visit_all<shapes, ways>(scene, ray, visitor);
     return visitor.found();
 }
 

@@ -6,21 +6,57 @@
 
 namespace proxima {
 
+/// Whole numbers below 2^22 to numbers and, rounded down, back. A device converts at a quarter of its pace, or less,
+/// but adds at full: 1.5 * 2^23 has its units in its last bits.
+template <class Real> HD_INNER Real number(int32_t whole) {
+#if defined(__CUDA_ARCH__)
+    if constexpr (sizeof(Real) == sizeof(float))
+        return __int_as_float(0x4b400000 + whole) - 12582912.0f;
+#endif
+    return Real(whole);
+}
+template <class Real> HD_INNER int32_t whole_below(Real number) {
+#if defined(__CUDA_ARCH__)
+    if constexpr (sizeof(Real) == sizeof(float))
+        return __float_as_int(__fadd_rd(number, 12582912.0f)) - 0x4b400000;
+#endif
+    return int32_t(round_down(number));
+}
+
+/// Along one axis, when a ray crosses a voxel plane: a multiple of the plane, and that of 0. An axis that the ray does
+/// not move along is crossed at infinity.
+template <class Real> struct Crossing {
+    Real pace;
+    Real start;
+
+    HD Crossing(Real origin, Real speed) {
+        pace = Real(1) / speed;
+        start = -origin * pace;
+        const bool moves = magnitude(pace) < infinity<Real> && magnitude(start) < infinity<Real>; // both may overflow
+        pace = moves ? pace : Real(0);
+        start = moves ? start : infinity<Real>;
+    }
+    /// From one plane to the next.
+    HD_INNER Real step() const { return std::copysign(Real(1), pace); }
+    HD_INNER Real at(Real plane) const { return plane * pace + start; }
+};
+
 /// Where a ray stands. Voxel planes are recomputed from integers, never accumulated, so that the error does not grow
 /// with the number of steps; after a leap the ray's place is computed anew and never falls behind its voxel.
 template <class Real> struct GridWalk {
     Vec3<Real> origin; ///< in voxels
     Vec3<Real> speed;  ///< voxels per unit of distance
-    Vec3<Real> inverse;
+    Crossing<Real> crossings[3];
     Vec3<int32_t> cell;
     Real now = Real(0); ///< distance at which it entered its voxel
 
     HD GridWalk(const GridView<Real>& grid, const Ray<Real>& ray)
-        : origin((ray.origin - grid.lower) * grid.inverse_voxel), speed(ray.direction * grid.inverse_voxel) {
-        for (int i = 0; i < 3; ++i) {
-            inverse[i] = Real(1) / speed[i];
+        : origin((ray.origin - grid.lower) * grid.inverse_voxel),
+          speed(ray.direction * grid.inverse_voxel), crossings{{origin.x, speed.x},
+                                                               {origin.y, speed.y},
+                                                               {origin.z, speed.z}} {
+        for (int i = 0; i < 3; ++i)
             cell[i] = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
-        }
     }
 
     HD_INNER bool upwards(int i) const { return !(speed[i] < 0); }
@@ -35,15 +71,17 @@ template <class Real> struct GridWalk {
         Real at[3];
         for (int i = 0; i < 3; ++i) {
             plane[i] = ((cell[i] >> shift) + (upwards(i) ? distance : 1 - distance)) << shift;
-            at[i] = speed[i] == 0 ? infinity<Real> : (Real(plane[i]) - origin[i]) * inverse[i];
+            at[i] = crossings[i].at(number<Real>(plane[i]));
         }
-        now = smaller(smaller(at[0], at[1]), at[2]);
+        now = lesser(lesser(at[0], at[1]), at[2]);
         const bool exits[3] = {now == at[0], now != at[0] && now == at[1], now != at[0] && now != at[1]};
         bool inside = true;
         for (int i = 0; i < 3; ++i) {
-            const int32_t next = upwards(i) ? plane[i] : plane[i] - 1; // the first voxel behind the plane
-            const int32_t low = upwards(i) ? cell[i] : next + 1, high = upwards(i) ? next - 1 : cell[i];
-            cell[i] = exits[i] ? next : reached(i, low, high);
+            // From its voxel to the last one before the plane; where it leaves the block, the first one behind. Written
+            // so that threads which leave by other axes do not wait for each other.
+            const int32_t near = exits[i] ? plane[i] - !upwards(i) : cell[i];
+            const int32_t far = plane[i] - (upwards(i) != exits[i]);
+            cell[i] = reached(i, smaller(near, far), larger(near, far));
             inside = inside && uint32_t(cell[i]) < uint32_t(grid.size[i]);
         }
         return inside;
@@ -73,12 +111,9 @@ template <class Real> struct GridWalk {
 private:
     /// The voxel of the ray's place now, between two bounds.
     HD_INNER int32_t reached(int i, int32_t low, int32_t high) const {
-        return int32_t(clamped(round_down(origin[i] + speed[i] * now), Real(low), Real(high)));
+        return clamped(whole_below(origin[i] + speed[i] * now), low, high);
     }
 };
-
-/// What the lists of a grid hold. Kernels for scenes of spheres alone need not ask each primitive what it is.
-enum class RoundShapes { spheres, all };
 
 /// Shows a visitor the list of a slot; true when the visitor has seen enough.
 template <RoundShapes shapes, class Real, class Visitor>
@@ -93,51 +128,51 @@ HD_INNER bool meet_list(const GridView<Real>& grid, uint32_t slot, Visitor& visi
     return false;
 }
 
-/// A ray's way through a grid whose every voxel has a list. Each turn meets one primitive, after a step where a list
-/// has ended: the threads of a warp, whose lists are not equally long, then wait for each other least. It keeps its
-/// numbers apart from GridWalk's: one place for both costs the cloud a third of its speed on an H100, by the registers.
+/// A ray's way through a grid whose every voxel has a list. It keeps its numbers apart from GridWalk's: one place for
+/// both costs the cloud a third of its speed on an H100, by the registers.
 template <RoundShapes shapes, class Real> class StepWalk {
 public:
     HD StepWalk(const GridView<Real>& grid, const Ray<Real>& ray)
-        : origin_((ray.origin - grid.lower) * grid.inverse_voxel) {
-        const int32_t stride[3] = {1, grid.size.x, grid.size.x * grid.size.y};
-        for (int i = 0; i < 3; ++i) {
-            const int32_t cell = int32_t(clamped(origin_[i], Real(0), Real(grid.size[i] - 1)));
-            const Real inverse = Real(1) / (ray.direction[i] * grid.inverse_voxel[i]);
-            const bool stands = magnitude(inverse) == infinity<Real>;
-            inverse_[i] = stands ? infinity<Real> : inverse;
-            plane_[i] = stands ? infinity<Real> : Real(cell + (inverse > 0));
-            voxel_ += uint32_t(cell * stride[i]);
-        }
-    }
+        : StepWalk(grid, (ray.origin - grid.lower) * grid.inverse_voxel, ray.direction * grid.inverse_voxel) {}
 
     /// False at the end of the grid, or when the visitor has seen enough.
     template <class Visitor> HD_INNER bool turn(const GridView<Real>& grid, Visitor& visitor) {
         if (meet_list<shapes>(grid, voxel_, visitor))
             return false;
-        const Vec3<Real> at = (plane_ - origin_) * inverse_;
-        const Real leave = smaller(smaller(at.x, at.y), at.z);
-        if (visitor.is_done(leave))
+        const Real x = crossings_[0].at(plane_.x), y = crossings_[1].at(plane_.y), z = crossings_[2].at(plane_.z);
+        const Real leave = lesser(lesser(x, y), z);
+        if (leave >= end_ || visitor.is_done(leave))
             return false;
         // Without branches, which threads that go different ways would take one after the other.
-        const bool along_x = leave == at.x, along_y = !along_x && leave == at.y, along_z = !along_x && !along_y;
-        const bool upwards = (along_x ? inverse_.x : along_y ? inverse_.y : inverse_.z) > 0;
-        const Real last = along_x ? grid.end.x : along_y ? grid.end.y : grid.end.z;
-        const bool inside = (along_x ? plane_.x : along_y ? plane_.y : plane_.z) != (upwards ? last : Real(0));
-        const Real step = upwards ? Real(1) : Real(-1);
-        plane_.x += along_x ? step : Real(0);
-        plane_.y += along_y ? step : Real(0);
-        plane_.z += along_z ? step : Real(0);
-        const int32_t way = along_x ? 1 : along_y ? grid.size.x : grid.size.x * grid.size.y;
-        voxel_ += uint32_t(upwards ? way : -way);
-        return inside;
+        const bool along_x = leave == x, along_y = !along_x && leave == y, along_z = !along_x && !along_y;
+        plane_.x += along_x ? crossings_[0].step() : Real(0);
+        plane_.y += along_y ? crossings_[1].step() : Real(0);
+        plane_.z += along_z ? crossings_[2].step() : Real(0);
+        voxel_ += uint32_t(along_x ? way_[0] : along_y ? way_[1] : way_[2]);
+        return true;
     }
 
 private:
-    Vec3<Real> origin_; ///< in voxels
-    Vec3<Real> inverse_;
+    HD StepWalk(const GridView<Real>& grid, const Vec3<Real>& origin, const Vec3<Real>& speed)
+        : crossings_{{origin.x, speed.x}, {origin.y, speed.y}, {origin.z, speed.z}} {
+        int32_t stride = 1;
+        for (int i = 0; i < 3; ++i) {
+            const int32_t cell = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
+            const bool upwards = speed[i] > 0;
+            plane_[i] = Real(cell + upwards);
+            // The last plane is crossed at exactly the same distance when the walk comes to it.
+            end_ = lesser(end_, crossings_[i].at(upwards ? grid.end[i] : Real(0)));
+            voxel_ += uint32_t(cell * stride);
+            way_[i] = upwards ? stride : -stride;
+            stride *= grid.size[i];
+        }
+    }
+
+    Crossing<Real> crossings_[3];
     Vec3<Real> plane_; ///< whole numbers: where the ray leaves its voxel
+    int32_t way_[3];   ///< in voxels, to the next one
     uint32_t voxel_ = 0;
+    Real end_ = infinity<Real>; ///< of the grid
 };
 
 /// What a metric's distances count: bricks along the axes, or the length of the way.
@@ -183,11 +218,23 @@ HD uint32_t walk_to_end(const GridView<Real>& grid, const Ray<Real>& ray, Visito
         ++turns;
     return turns;
 }
-template <RoundShapes shapes, class Real, class Visitor>
+/// The ways through a grid that a kernel knows: what it knows takes registers.
+enum class Ways { any, steps, leaps };
+
+/// Which of them does for a grid.
+template <class Real> HD Ways ways_of(const GridView<Real>& grid) {
+    const Metric metric = grid.cloud.metric;
+    return !grid.in_use()                                                ? Ways::any
+           : !grid.cloud.in_use()                                        ? Ways::steps
+           : metric == Metric::city_block || metric == Metric::euclidean ? Ways::any
+                                                                         : Ways::leaps;
+}
+
+template <RoundShapes shapes, Ways ways = Ways::any, class Real, class Visitor>
 HD uint32_t walk(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
-    if (!grid.cloud.in_use())
+    if (ways == Ways::steps || (ways == Ways::any && !grid.cloud.in_use()))
         return walk_to_end<StepWalk<shapes, Real>>(grid, ray, visitor);
-    if (grid.cloud.metric == Metric::city_block || grid.cloud.metric == Metric::euclidean)
+    if (ways == Ways::any && (grid.cloud.metric == Metric::city_block || grid.cloud.metric == Metric::euclidean))
         return walk_to_end<LeapWalk<shapes, LeapKind::by_length, Real>>(grid, ray, visitor);
     return walk_to_end<LeapWalk<shapes, LeapKind::by_blocks, Real>>(grid, ray, visitor);
 }

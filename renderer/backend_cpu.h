@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CPU backend: a device's verbs (for_each, exclusive_scan, reduce) and its buffers, by oneTBB on the host's cores.
+// The CPU backend: a device's verbs (for_each, reduce) and its buffers, by oneTBB on the host's cores.
 #pragma once
 #include "kernels/platform.h"
 #include "renderer/device_error.h"
@@ -31,6 +31,7 @@ public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
     static constexpr uint32_t fewest_for_cloud = 5'000; ///< primitives
+    static constexpr uint32_t primitives_together = 64; ///< of an item of LinkPrimitives
     static constexpr bool traces_packets = true;        ///< has for_each_packet
     static constexpr bool is_immediate = true;          ///< a verb is done when it returns
 
@@ -95,8 +96,6 @@ public:
         });
     }
 
-    /// Replaces each number by the sum of those before it, or by the largest number where that is too small.
-    void exclusive_scan(std::span<uint32_t> numbers);
     /// As reduce, into out[0].
     template <class T, class Kernel> void reduce_into(Buffer<T>& out, uint32_t count, const Kernel& kernel) {
         out.view()[0] = reduce<T>(count, kernel);
@@ -179,30 +178,6 @@ private:
     size_t size_ = 0;
     size_t capacity_ = 0;
 };
-
-inline void CpuBackend::exclusive_scan(std::span<uint32_t> numbers) {
-    const size_t block = 1 << 16;
-    const uint32_t blocks = uint32_t((numbers.size() + block - 1) / block);
-    std::vector<uint32_t> sums(blocks);
-    const auto part = [&](uint32_t b) {
-        return numbers.subspan(b * block, std::min(block, numbers.size() - b * block));
-    };
-    const auto for_each_block = [&](const auto& body) { arena_.execute([&] { tbb::parallel_for(0u, blocks, body); }); };
-    for_each_block([&](uint32_t b) {
-        uint32_t sum = 0;
-        for (const uint32_t n : part(b))
-            sum = saturated_sum(sum, n);
-        sums[b] = sum;
-    });
-    uint32_t before = 0;
-    for (uint32_t& sum : sums)
-        before = saturated_sum(before, std::exchange(sum, before));
-    for_each_block([&](uint32_t b) {
-        uint32_t sum = sums[b];
-        for (uint32_t& n : part(b))
-            sum = saturated_sum(sum, std::exchange(n, sum));
-    });
-}
 
 /// A moment between two verbs.
 class CpuBackend::Moment {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CUDA backend: a device's verbs (for_each, exclusive_scan, reduce) and its buffers, on one stream of one GPU, by
+// The CUDA backend: a device's verbs (for_each, reduce) and its buffers, on one stream of one GPU, by
 // CUDA and CUB. The only place that starts kernels.
 #pragma once
 #include "kernels/platform.h"
@@ -11,7 +11,6 @@
 #include <atomic>
 #include <cstdint>
 #include <cub/device/device_reduce.cuh>
-#include <cub/device/device_scan.cuh>
 #include <memory>
 #include <span>
 #include <string>
@@ -42,16 +41,13 @@ template <class T> struct Combine {
     __host__ __device__ T operator()(const T& a, const T& b) const { return T::combine(a, b); }
 };
 
-struct SaturatedSum {
-    __host__ __device__ uint32_t operator()(uint32_t a, uint32_t b) const { return saturated_sum(a, b); }
-};
-
 class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
     static constexpr uint32_t fewest_for_cloud = 50'000; ///< primitives; with fewer, launches cost more than steps
+    static constexpr uint32_t primitives_together = 1;   ///< of an item of LinkPrimitives
     static constexpr bool traces_packets = false;
-    static constexpr bool is_immediate = false;          ///< verbs are done after the next synchronize()
+    static constexpr bool is_immediate = false; ///< verbs are done after the next synchronize()
 
     explicit CudaBackend(int ordinal = 0)
         : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this),
@@ -109,8 +105,6 @@ public:
     /// static combine(a, b) is associative.
     template <class T, class Kernel> T reduce(uint32_t count, const Kernel& kernel);
 
-    /// Replaces each number by the sum of those before it, or by the largest number where that is too small.
-    void exclusive_scan(std::span<uint32_t> numbers);
     /// As reduce, into out[0], without waiting.
     template <class T, class Kernel> void reduce_into(Buffer<T>& out, uint32_t count, const Kernel& kernel) {
         reduce_to(out.data(), count, kernel);
@@ -303,17 +297,6 @@ template <class T, class Kernel> T CudaBackend::reduce(uint32_t count, const Ker
     cuda_check(cudaMemcpyAsync(staging_.get(), result_.data(), sizeof(T), cudaMemcpyDeviceToHost, stream_.get()));
     synchronize();
     return *reinterpret_cast<const T*>(staging_.get());
-}
-
-inline void CudaBackend::exclusive_scan(std::span<uint32_t> numbers) {
-    size_t bytes = 0;
-    const auto run = [&](void* storage) {
-        cuda_check(cub::DeviceScan::ExclusiveScan(storage, bytes, numbers.data(), numbers.data(), SaturatedSum{},
-                                                  uint32_t(0), numbers.size(), stream_.get()));
-    };
-    run(nullptr);
-    scratch_.reserve(bytes);
-    run(scratch_.data());
 }
 
 } // namespace proxima

@@ -33,6 +33,8 @@ std::string decision(const SceneTables& scene, const SceneNeeds& needs) {
         return fmt::format("the kernels for {} whose paths all end at their first surface, under plain lights", shapes);
     case Features::mirrors:
         return "the kernel for opaque surfaces and single mirrors, under plain lights";
+    case Features::furnished:
+        return fmt::format("the kernel for opaque {} with patterns, a sky and lights of all kinds but areas", shapes);
     case Features::all:
         break;
     }

@@ -17,7 +17,7 @@ template <class Backend, class Real> class FilmTracer {
 public:
     explicit FilmTracer(Backend& backend)
         : backend_(backend), antialiaser_(backend), pending_states_(backend), pending_interiors_(backend),
-          overflows_(backend), hits_(backend), shadows_(backend) {}
+          overflows_(backend) {}
 
     /// Starts to trace; pictures with several waves of pixels are waited for, and end by FrameCancelled.
     void trace(const SceneView<Real>& scene, const SceneNeeds& needs, const FilmView& film,
@@ -41,8 +41,6 @@ public:
         antialiaser_.free();
         pending_states_.free();
         pending_interiors_.free();
-        hits_.free();
-        shadows_.free();
     }
 
 private:
@@ -59,19 +57,37 @@ private:
     void trace_features(const SceneView<Real>& scene, const FilmView& film) {
         switch (needs_.features) {
         case Features::opaque:
-            if (sizeof(Real) == sizeof(float) && scene.lights.size() <= FirstHitPass<Real>::most_lights)
-                return scene.geometry.ellipsoids.empty() ? trace_first_hits<RoundShapes::spheres>(scene, film)
-                                                         : trace_first_hits<RoundShapes::all>(scene, film);
+            if constexpr (sizeof(Real) == sizeof(float))
+                if (scene.lights.size() <= FirstHitPass<Real>::most_lights)
+                    return scene.geometry.ellipsoids.empty() ? trace_first_hits<RoundShapes::spheres>(scene, film)
+                                                             : trace_first_hits<RoundShapes::all>(scene, film);
             return trace_waves<Features::opaque>(scene, film);
         case Features::mirrors:
             return trace_waves<Features::mirrors>(scene, film);
+        case Features::furnished:
+            return trace_waves<Features::furnished>(scene, film);
         case Features::all:
             return trace_waves<Features::all>(scene, film);
         }
     }
 
-    /// Traces as many pixels at a time as there is memory for stacks.
+    /// By the kernel that knows no more ways through the grid than it needs, where that is worth one of its own.
     template <Features features> void trace_waves(const SceneView<Real>& scene, const FilmView& film) {
+        if constexpr (features != Features::all && sizeof(Real) == sizeof(float))
+            if (scene.geometry.ellipsoids.empty())
+                switch (ways_of(scene.grid)) {
+                case Ways::steps:
+                    return trace_waves<features, RoundShapes::spheres, Ways::steps>(scene, film);
+                case Ways::leaps:
+                    return trace_waves<features, RoundShapes::spheres, Ways::leaps>(scene, film);
+                case Ways::any:
+                    break;
+                }
+        trace_waves<features, RoundShapes::all, Ways::any>(scene, film);
+    }
+    /// Traces as many pixels at a time as there is memory for stacks.
+    template <Features features, RoundShapes shapes, Ways ways>
+    void trace_waves(const SceneView<Real>& scene, const FilmView& film) {
         const uint64_t pixels = tiled_pixel_count(film.width, film.height);
         const uint32_t wave = wave_size(pixels, film.samples);
         PendingView<Real, PathPrecision<Real, features>> pending;
@@ -79,7 +95,7 @@ private:
             pending = make_pending(wave);
         for (uint64_t first = 0; first < pixels; first += wave) {
             backend_.for_each(uint32_t(std::min<uint64_t>(wave, pixels - first)),
-                              TracePixels<Real, features>{scene, film, pending, first});
+                              TracePixels<Real, features, shapes, ways>{scene, film, pending, first});
             if (wave < pixels)
                 wait();
         }
@@ -90,18 +106,25 @@ private:
         if constexpr (Backend::traces_packets && shapes == RoundShapes::spheres)
             if (scene.grid.in_use() && !scene.grid.cloud.in_use())
                 return trace_tiles(scene, film);
+        if constexpr (shapes == RoundShapes::spheres)
+            switch (ways_of(scene.grid)) {
+            case Ways::steps:
+                return trace_first_hits<shapes, Ways::steps>(scene, film);
+            case Ways::leaps:
+                return trace_first_hits<shapes, Ways::leaps>(scene, film);
+            case Ways::any:
+                break;
+            }
+        trace_first_hits<shapes, Ways::any>(scene, film);
+    }
+    template <RoundShapes shapes, Ways ways> void trace_first_hits(const SceneView<Real>& scene, const FilmView& film) {
         const uint64_t pixels = tiled_pixel_count(film.width, film.height);
         const uint32_t wave = wave_size(pixels, 1);
-        hits_.resize(wave);
-        shadows_.resize(wave);
-        FirstHitPass<Real> pass{scene, film, hits_.view(), shadows_.view()};
+        FirstHitPass<Real> pass{scene, film};
         for (; pass.first < pixels; pass.first += wave) {
             const uint32_t count = uint32_t(std::min<uint64_t>(wave, pixels - pass.first));
-            for (pass.sample = 0; pass.sample < film.samples; ++pass.sample) {
-                backend_.for_each(count, FindFirstHits<Real, shapes>{pass});
-                backend_.for_each(count, FindShadows<Real, shapes>{pass});
-                backend_.for_each(count, ShadeFirstHits<Real>{pass});
-            }
+            for (pass.sample = 0; pass.sample < film.samples; ++pass.sample)
+                backend_.for_each(count, TraceFirstHits<Real, shapes, ways>{pass});
             if (wave < pixels)
                 wait();
         }
@@ -111,7 +134,7 @@ private:
     void trace_tiles(const SceneView<Real>& scene, const FilmView& film) {
         using Tile = TraceFirstHitTile<Real>;
         const uint64_t tiles = tiled_pixel_count(film.width, film.height) / Tile::lanes;
-        FirstHitPass<Real> pass{scene, film, {}, {}};
+        FirstHitPass<Real> pass{scene, film};
         for (uint64_t first = 0; first < tiles; first += most_tiles) {
             pass.first = first * Tile::lanes;
             const uint32_t count = uint32_t(std::min<uint64_t>(most_tiles, tiles - first));
@@ -164,8 +187,6 @@ private:
     Buffer<WaitingPath> pending_states_;
     Buffer<uint32_t> pending_interiors_;
     Buffer<uint32_t> overflows_;
-    Buffer<Hit<Real>> hits_;
-    Buffer<uint32_t> shadows_;
 };
 
 } // namespace proxima

@@ -25,8 +25,8 @@ struct GridPlan {
 template <class Backend, class Real> class GridBuilder {
 public:
     explicit GridBuilder(Backend& backend)
-        : backend_(backend), cloud_(backend), heads_(backend), first_links_(backend), links_(backend), large_(backend),
-          large_count_(backend), counts_(backend), seen_counts_(backend) {}
+        : backend_(backend), cloud_(backend), heads_(backend), links_(backend), large_(backend), large_count_(backend),
+          counts_(backend), seen_counts_(backend) {}
 
     /// What is known of the lists' lengths is of another scene.
     void forget() {
@@ -206,11 +206,8 @@ private:
             scene.grid.heads = heads_.view();
         }
         const uint32_t primitives = scene.geometry.round_count();
-        first_links_.resize(size_t(primitives) + 1);
-        backend_.for_each(primitives + 1, CountLinks<Real>{scene.grid, scene.geometry, first_links_.view()});
-        backend_.exclusive_scan(first_links_.view());
-        backend_.for_each(primitives,
-                          LinkPrimitives<Real>{scene.grid, scene.geometry, first_links_.view(), counts_.view()});
+        const LinkPrimitives<Real, Backend::primitives_together> link{scene.grid, scene.geometry, counts_.view()};
+        backend_.for_each(link.item_count(primitives), link);
         seen_counts_.request(counts_);
     }
 
@@ -219,7 +216,6 @@ private:
     Backend& backend_;
     CloudBuilder<Backend, Real> cloud_;
     Buffer<uint32_t> heads_;
-    Buffer<uint32_t> first_links_;
     Buffer<GridLink> links_;
     Buffer<uint32_t> large_;
     Buffer<uint32_t> large_count_;

@@ -14,17 +14,26 @@ struct SceneNeeds {
     uint32_t interior_capacity = 0; ///< primitives that a ray may be inside
 };
 
-/// Whether a scene has only what all kernels can do: see Features.
+inline bool has_material(const SceneTables& scene, uint32_t flags) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const Material& m) { return (m.flags & flags) != 0; });
+}
+
+/// Whether a scene has only what the kernels for paths that end can do: see Features.
+inline bool is_simple(const SceneTables& scene) {
+    return scene.fogs.empty() && !has_material(scene, material_double_illuminate) &&
+           std::all_of(scene.lights.begin(), scene.lights.end(),
+                       [](const Light<double>& l) { return l.area == Light<double>::no_area; });
+}
+
+/// Whether a scene has only what all kernels can do.
 inline bool is_plain(const SceneTables& scene) {
-    constexpr uint32_t special = material_no_image | material_no_reflection | material_double_illuminate;
-    return scene.fogs.empty() && scene.sky.pigments.empty() &&
-           std::none_of(scene.materials.begin(), scene.materials.end(),
-                        [](const Material& m) { return (m.flags & special) != 0; }) &&
+    return is_simple(scene) && scene.sky.pigments.empty() &&
+           !has_material(scene, material_no_image | material_no_reflection) &&
            std::all_of(
                scene.pigments.begin(), scene.pigments.end(),
                [](const Pigment& p) { return p.kind == PigmentKind::solid || p.kind == PigmentKind::checker; }) &&
-           std::all_of(scene.lights.begin(), scene.lights.end(),
-                       [](const Light<double>& l) { return l.is_plain() && l.area == Light<double>::no_area; });
+           std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light<double>& l) { return l.is_plain(); });
 }
 
 inline SceneNeeds needs_of(const SceneTables& scene, size_t spheres) {
@@ -51,6 +60,10 @@ inline SceneNeeds needs_of(const SceneTables& scene, size_t spheres) {
     }
     if (!transparent && !branches && !has_exponent && is_plain(scene)) {
         needs.features = reflective ? Features::mirrors : Features::opaque;
+        return needs;
+    }
+    if (!transparent && !reflective && is_simple(scene)) {
+        needs.features = Features::furnished;
         return needs;
     }
     needs.features = Features::all;

@@ -34,41 +34,28 @@ HD void visit_paper_grid(const SceneView<float>& scene, const PaperGridView& pap
     } while (inside && !visitor.is_done(place.now));
 }
 
-/// Pixel -> what its ray meets first.
-struct FindPaperHits {
+/// Pixel -> its light, added to the film.
+struct TracePaperPixels {
     FirstHitPass<float> pass;
     PaperGridView paper;
 
     HD void operator()(uint32_t index) const {
-        pass.at(index, [&](uint64_t, const SourcedRay<float>& ray) {
+        pass.at(index, [&](uint64_t place, const SourcedRay<float>& ray) {
             const SceneView<float>& scene = pass.scene;
             const BasedRay<float> based = rebase(ray, scene.geometry.bounds);
             NearestHit<float> visitor({scene, based, scene.limits.nearest - based.offset}, 0,
                                       scene.limits.farthest - based.offset);
             visit_paper_grid(scene, paper, based, visitor);
-            pass.hits[index] = visitor.best();
-        });
-    }
-};
-
-/// Pixel -> which lights do not shine on what it shows.
-struct FindPaperShadows {
-    FirstHitPass<float> pass;
-    PaperGridView paper;
-
-    HD void operator()(uint32_t index) const {
-        pass.at(index, [&](uint64_t, const SourcedRay<float>& ray) {
-            const Hit<float> hit = pass.hits[index];
-            if (hit.primitive == no_primitive)
-                return;
-            const Surface<float> surface = pass.surface_of(ray, hit);
+            if (visitor.best().primitive == no_primitive)
+                return pass.add(place, pass.light_of(ray.ray.direction, nullptr, 0));
+            const Surface<float> surface = surface_at(scene, ray, based, visitor.best());
             uint32_t shadows = 0;
-            for (uint32_t i = 0; i < pass.scene.lights.size(); ++i) {
-                const PlainLight<float> seen(pass.scene.lights[i], surface);
+            for (uint32_t i = 0; i < scene.lights.size(); ++i) {
+                const PlainLight<float> seen(scene.lights[i], surface);
                 if (seen.shines() && is_shadowed_from(surface, seen.ray))
                     shadows |= 1u << i;
             }
-            pass.shadows[index] = shadows;
+            pass.add(place, pass.light_of(ray.ray.direction, &surface, shadows));
         });
     }
 

@@ -93,12 +93,7 @@ private:
 
     void trace(const SceneView<float>& scene, const FilmView& film) {
         const auto pixels = uint32_t(tiled_pixel_count(film.width, film.height));
-        hits_.resize(pixels);
-        shadows_.resize(pixels);
-        const FirstHitPass<float> pass{scene, film, hits_.view(), shadows_.view()};
-        backend_.for_each(pixels, FindPaperHits{pass, paper_});
-        backend_.for_each(pixels, FindPaperShadows{pass, paper_});
-        backend_.for_each(pixels, ShadeFirstHits<float>{pass});
+        backend_.for_each(pixels, TracePaperPixels{{scene, film}, paper_});
         backend_.for_each(uint32_t(film.pixels.size()), ResolvePixels{film, scene_.curve(), scene_.gamma()});
     }
 
@@ -115,8 +110,6 @@ private:
     Buffer<uint32_t> distances_{backend_};
     Buffer<uint8_t> map_{backend_};
     Buffer<glm::vec3> film_{backend_};
-    Buffer<Hit<float>> hits_{backend_};
-    Buffer<uint32_t> shadows_{backend_};
 };
 
 } // namespace proxima::baselines
