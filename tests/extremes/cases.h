@@ -14,8 +14,10 @@ struct ExtremeCase {
     bool by_a_hair = false; ///< rays run along outlines: which of them hit is no matter of the picture
 };
 
-std::vector<ExtremeCase> extreme_cases();
+/// Whether to have the case that takes minutes and gigabytes.
+enum class Slowness { usual, all };
+std::vector<ExtremeCase> extreme_cases(Slowness slowness = Slowness::usual);
 
-SceneProgram read_case(const ExtremeCase& extreme);
+SceneProgram read_case(const ExtremeCase& extreme, const std::filesystem::path& scenes = PROXIMA_EXTREMES);
 
 } // namespace proxima::testing

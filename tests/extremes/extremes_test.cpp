@@ -4,6 +4,8 @@
 #include "tests/extremes/cases.h"
 #include "tests/extremes/figures.h"
 
+#include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace proxima;
@@ -58,6 +60,28 @@ TEST_CASE("extremes: no picture in float has a NaN or an infinity, whatever it i
         CAPTURE(extreme.name);
         const Image image = render_scene(read_case(extreme), settings_of(extreme, Precision::float32));
         CHECK(compare_levels(image, image).not_finite == 0);
+    }
+}
+
+TEST_CASE("extremes: a grid, a cloud and neither make the same picture, and its layers are numbers") {
+    for (const ExtremeCase& extreme : extreme_cases()) {
+        if (!extreme.is_quick)
+            continue;
+        CAPTURE(extreme.name);
+        const SceneProgram scene = read_case(extreme);
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+            FrameSettings settings = settings_of(extreme, precision);
+            settings.aovs = {.depth = true, .normal = true, .id = true, .steps = false};
+            settings.accelerator = Accelerator::brute;
+            const Image brute = render_scene(scene, settings);
+            CHECK(std::ranges::all_of(brute.aovs, [](const AovSample& sample) {
+                return std::isfinite(sample.depth) && std::isfinite(glm::dot(sample.normal, sample.normal));
+            }));
+            for (const Accelerator accelerator : {Accelerator::grid, Accelerator::cloud}) {
+                settings.accelerator = accelerator;
+                CHECK(render_scene(scene, settings).rgb == brute.rgb);
+            }
+        }
     }
 }
 
