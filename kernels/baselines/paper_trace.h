@@ -64,7 +64,7 @@ struct FindPaperShadows {
             const Surface<float> surface = pass.surface_of(ray, hit);
             uint32_t shadows = 0;
             for (uint32_t i = 0; i < pass.scene.lights.size(); ++i) {
-                const PlainLight<float> seen(pass.scene.lights[i], surface);
+                const PlainLight<float> seen(pass.scene, pass.scene.lights[i], surface);
                 if (seen.shines() && is_shadowed_from(surface, seen.ray))
                     shadows |= 1u << i;
             }

@@ -11,7 +11,7 @@ struct ExtremeCase {
     Declares declares{};
     uint32_t width = 64, height = 48;
     bool is_quick = true;   ///< it is part of the test
-    bool by_a_hair = false; ///< rays run along outlines: which of them hit is no matter of the picture
+    bool by_a_hair = false; ///< rays run along outlines: a picture is as good as one seen outline_tolerance aside
 };
 
 /// Whether to have the case that takes minutes and gigabytes.
