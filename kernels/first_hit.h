@@ -58,10 +58,10 @@ template <class Real> struct PlainLight {
     LightRay<Real> ray;
     Vec3<Real> arriving{Real(0)}; ///< if nothing stands in the way; 0 behind the surface
 
-    HD PlainLight(const Light<Real>& light, const Surface<Real>& surface)
+    HD PlainLight(const SceneView<Real>& scene, const Light<Real>& light, const Surface<Real>& surface)
         : ray(straight_light_ray(surface.point, light.position)) {
         if (glm::dot(surface.normal, ray.direction) >= Real(1e-10))
-            arriving = Vec3<Real>(light.color) * light_fade(light, ray.distance);
+            arriving = Vec3<Real>(light.color) * light_fade(light, ray.distance, scene.limits.least_fade);
     }
     HD bool shines() const { return arriving != Vec3<Real>(Real(0)); }
 };
@@ -77,7 +77,7 @@ HD Vec3<Real> FirstHitPass<Real>::light_of(const Vec3<Real>& direction, const Su
     Vec3<Real> sum = layers.glow();
     for (uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light<Real>& light = scene.lights[i];
-        const PlainLight<Real> seen(light, *surface);
+        const PlainLight<Real> seen(scene, light, *surface);
         if (seen.shines() && !(shadows >> i & 1))
             sum += layers.reflected({surface->normal, seen.ray.direction, direction}, seen.arriving, !light.shadowless);
     }
@@ -110,7 +110,7 @@ private:
         uint32_t shadows = 0;
         for (uint32_t i = 0; i < scene.lights.size(); ++i) {
             const Light<Real>& light = scene.lights[i];
-            const PlainLight<Real> seen(light, surface);
+            const PlainLight<Real> seen(scene, light, surface);
             if (seen.shines() && !light.shadowless &&
                 is_shadowed<shapes, ways>(scene, surface, seen.ray.direction, seen.ray.distance))
                 shadows |= 1u << i;

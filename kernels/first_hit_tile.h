@@ -89,7 +89,7 @@ private:
             if (!pixels.hits(lane))
                 continue;
             const Surface<Real>& surface = pixels.surfaces[lane];
-            const PlainLight<Real> seen(scene.lights[index], surface);
+            const PlainLight<Real> seen(scene, scene.lights[index], surface);
             if (!seen.shines())
                 continue;
             distances[lane] = seen.ray.distance - margin;

@@ -88,7 +88,7 @@ HD void for_each_cell(const GridView<Real>& grid, const Sphere<Real>& sphere, co
         for (int32_t y = grid.cell(center.y - radius, 1); y <= y_end; ++y) {
             const Real dy = gap(center.y, Real(y) * grid.voxel.y, Real(y + 1) * grid.voxel.y);
             const Real half2 = radius * radius - dz * dz - dy * dy;
-            if (half2 < 0)
+            if (!(half2 >= 0)) // nor where squares are too large for Real
                 continue;
             const Real half = square_root(half2);
             const int32_t x_end = grid.cell(center.x + half, 0);

@@ -11,7 +11,7 @@ namespace proxima {
 
 /// The primitive that a ray starts on. A ray going outward cannot meet it again; one going inward meets it at `exit`,
 /// which is exact where an intersection test would have to tell 0 from almost 0. Should a scene have it twice, the
-/// second one is not there for the ray.
+/// other one is not there for the ray.
 template <class Real> struct RaySource {
     uint32_t primitive = no_primitive;
     Real exit = Real(0); ///< not positive: never
@@ -22,7 +22,8 @@ template <class Real> struct SourcedRay {
     RaySource<Real> source;
 };
 
-/// A hit, at `t` from the based origin. As the place that a ray has passed: hits come in the order of (t, primitive).
+/// A hit, at `t` from the based origin. As the place that a ray has passed: hits come in the order of (t, primitive),
+/// and what a scene has once more of what was passed is not there.
 template <class Real> struct Hit {
     Real t = infinity<Real>;
     uint32_t primitive = no_primitive;
@@ -116,16 +117,19 @@ template <class Real> struct Search {
     HD bool is_shadowed_by_source(Real farthest) const {
         return distance_to_exit() < farthest && casts_shadow(ray.source.primitive);
     }
-    /// Whether a primitive is the one that the ray starts on once more. What holds for the one holds for the other, and
-    /// no test could tell 0 from almost 0.
-    HD bool repeats_source(uint32_t id) const {
-        return ray.source.primitive != no_primitive && scene.geometry.is_repeated(ray.source.primitive, id);
-    }
+    /// Whether a primitive is once more what the ray starts on or has passed. What holds for the one holds for the
+    /// other, no test could tell 0 from almost 0, and a body of glass counts once however its light goes on.
+    HD bool repeats_known(uint32_t id) const { return repeats(ray.source.primitive, id) || repeats(passed, id); }
     /// Whether a primitive's material has one of these bits of Material::flags.
     HD bool is_one_of(uint32_t flags, uint32_t id) const {
         return (scene.surfaces.materials[scene.geometry.material(id)].flags & flags) != 0;
     }
     HD bool casts_shadow(uint32_t id) const { return !scene.has_no_shadow || !is_one_of(material_no_shadow, id); }
+
+private:
+    HD bool repeats(uint32_t known, uint32_t id) const {
+        return known != no_primitive && known != id && scene.is_repeated(known, id);
+    }
 };
 
 /// Keeps the nearest of the hits that it is shown.
@@ -151,7 +155,7 @@ public:
 
 private:
     HD_INNER bool consider(uint32_t id, Real t) {
-        if (t <= best_.t && id != search_.ray.source.primitive && !search_.repeats_source(id))
+        if (t <= best_.t && id != search_.ray.source.primitive && !search_.repeats_known(id))
             take(id, t);
         return false;
     }
@@ -185,7 +189,7 @@ public:
 
 private:
     HD_INNER bool consider(uint32_t id, Real t) {
-        if (t < farthest_ && id != search_.ray.source.primitive && !search_.repeats_source(id))
+        if (t < farthest_ && id != search_.ray.source.primitive && !search_.repeats_known(id))
             found_ = search_.casts_shadow(id);
         return found_;
     }

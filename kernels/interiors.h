@@ -44,6 +44,18 @@ struct InteriorList {
         for (uint32_t i = 0; i < count; ++i)
             ids[i] = other.ids[i];
     }
+    /// Leaves out what `repeats(earlier, later)` says is once more an earlier one.
+    template <class Repeats> HD void leave_out_repeated(const Repeats& repeats) {
+        uint32_t kept = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            bool is_new = true;
+            for (uint32_t k = 0; k < kept && is_new; ++k)
+                is_new = !repeats(ids[k], ids[i]);
+            if (is_new)
+                ids[kept++] = ids[i];
+        }
+        count = kept;
+    }
     /// Enters in the order of the ids, whatever the order of the calls.
     HD void enter_sorted(uint32_t id) {
         if (contains(id))
@@ -87,20 +99,21 @@ HD Path crossing_ior_ratio(const SceneView<Real>& scene, const InteriorList& int
     return own / ior_of<Path>(scene, interiors.count > 1 ? interiors.ids[interiors.count - 2] : no_primitive);
 }
 
-/// The primitives around a point, opaque ones too, in the order of their ids.
+/// The primitives around a point, opaque ones too, in the order of their ids; each place once.
 template <class Path, class Real> HD InteriorList interiors_at(const SceneView<Real>& scene, const Vec3<Path>& point) {
     InteriorList list;
     for_each_around(scene, Vec3<Real>(point), [&](uint32_t id) {
         if (contains(shapes_of<Path>(scene), id, point))
             list.enter_sorted(id);
     });
+    list.leave_out_repeated([&](uint32_t a, uint32_t b) { return scene.is_repeated(a, b); });
     return list;
 }
 
 /// What is left of light that leaves a primitive's inside after a way of length `distance` since its last hit.
-/// As in POV-Ray, no other interior that the ray is in counts.
-template <class Real> HD Vec3<Real> attenuation(const Interior& interior, Real distance) {
-    if (!(interior.fade_power > 0) || !(magnitude(interior.fade_distance) > 1e-10f))
+/// As in POV-Ray, no other interior that the ray is in counts. `least_fade`: see HitLimits.
+template <class Real> HD Vec3<Real> attenuation(const Interior& interior, Real distance, float least_fade) {
+    if (!(interior.fade_power > 0) || !(magnitude(interior.fade_distance) > least_fade))
         return Vec3<Real>(Real(1));
     const Real depth = distance / Real(interior.fade_distance);
     const Vec3<Real> tint(interior.fade_color);

@@ -131,18 +131,18 @@ HD_RARE Real cone_share(const Light<Real>& light, const Vec3<Real>& point, const
                : share;
 }
 
-/// What distance leaves of a light: 1 without fading, up to 2 close to it.
-template <class Real> HD Real light_fade(const Light<Real>& light, Real distance) {
-    if (!(light.fade_power > 0) || !(magnitude(light.fade_distance) > 1e-10f))
+/// What distance leaves of a light: 1 without fading, up to 2 close to it. `least_fade`: see HitLimits.
+template <class Real> HD Real light_fade(const Light<Real>& light, Real distance, float least_fade) {
+    if (!(light.fade_power > 0) || !(magnitude(light.fade_distance) > least_fade))
         return Real(1);
     return Real(2) / (Real(1) + power(distance / Real(light.fade_distance), Real(light.fade_power)));
 }
 
 /// What of a light's colour arrives at a point if nothing stands between.
 template <class Real>
-HD Real light_share(const Light<Real>& light, const Vec3<Real>& point, const LightRay<Real>& ray) {
+HD Real light_share(const Light<Real>& light, const Vec3<Real>& point, const LightRay<Real>& ray, float least_fade) {
     const Real share = light.kind == LightKind::point ? Real(1) : cone_share(light, point, ray);
-    return share > 0 ? share * light_fade(light, ray.distance) : Real(0);
+    return share > 0 ? share * light_fade(light, ray.distance, least_fade) : Real(0);
 }
 
 } // namespace proxima

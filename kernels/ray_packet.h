@@ -137,14 +137,14 @@ private:
         for (uint32_t i = 0; i < group; ++i)
             consider(first + i, id, t[i]);
     }
-    /// Where it is what a ray starts on once more: see Search::repeats_source. The camera's rays start on nothing.
+    /// Where it is what a ray starts on once more: see Search::repeats_known. The camera's rays start on nothing.
     HD_INNER void leave_out_repeated(uint32_t first, uint32_t id, Real (&t)[group]) const {
         uint32_t met = 0;
         for (uint32_t i = 0; i < group; ++i)
             met |= (t[i] <= rays_.reach[first + i]) & (rays_.source[first + i] != no_primitive) ? 1u : 0u;
         for (uint32_t i = 0; met != 0 && i < group; ++i) {
             const uint32_t source = rays_.source[first + i];
-            if (t[i] <= rays_.reach[first + i] && source != no_primitive && scene_.geometry.is_repeated(source, id))
+            if (t[i] <= rays_.reach[first + i] && source != no_primitive && scene_.is_repeated(source, id))
                 t[i] = infinity<Real>;
         }
     }

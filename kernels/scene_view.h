@@ -14,15 +14,16 @@ namespace proxima {
 
 inline constexpr uint32_t no_primitive = 0xffffffffu;
 
-/// Which hits count. The defaults accept every hit in front of the ray; povray() has POV-Ray 3.7's absolute numbers.
+/// Which lengths count. The defaults accept every hit in front of the ray; povray() has POV-Ray 3.7's absolute numbers.
 template <class Real> struct HitLimits {
     Real min_half_chord2 = Real(0);
     Real min_cosine = Real(0); ///< between a ray and a plane
     Real nearest = Real(0);
     Real farthest = infinity<Real>;
     Real shadow_margin = Real(0); ///< at either end of a shadow ray
+    float least_fade = 0.0f;      ///< nothing fades by a fade_distance that is not longer
 
-    HD static HitLimits povray() { return {Real(1e-10), Real(1e-10), Real(1e-4), Real(1e7), Real(1e-3)}; }
+    HD static HitLimits povray() { return {Real(1e-10), Real(1e-10), Real(1e-4), Real(1e7), Real(1e-3), 1e-10f}; }
 };
 
 /// The shapes of all primitives. Ids count spheres, then ellipsoids, then planes.
@@ -37,6 +38,14 @@ template <class Real> struct ShapesView {
     HD bool is_plane(uint32_t id) const { return id >= round_count(); }
     HD const Ellipsoid<Real>& ellipsoid(uint32_t id) const { return ellipsoids[id - sphere_count()]; }
     HD const Plane<Real>& plane(uint32_t id) const { return planes[id - round_count()]; }
+    HD bool empty() const { return spheres.empty() && ellipsoids.empty() && planes.empty(); }
+    /// Whether a scene has a sphere or a plane twice: as these two.
+    HD bool is_repeated(uint32_t a, uint32_t b) const {
+        if (is_sphere(a))
+            return is_sphere(b) && spheres[a].radius == spheres[b].radius && spheres[a].center == spheres[b].center;
+        return is_plane(a) && is_plane(b) && plane(a).distance == plane(b).distance &&
+               plane(a).normal == plane(b).normal;
+    }
 };
 
 /// What rays are tested with. Spheres and ellipsoids are `bounded`: they lie in `bounds`, save those of radius above
@@ -63,13 +72,6 @@ template <class Real> struct GeometryView : ShapesView<Real> {
             return bounding_box(ellipsoid(id));
         const Vec3<Real> radius(spheres[id].radius);
         return {spheres[id].center - radius, spheres[id].center + radius};
-    }
-    /// Whether a scene has a sphere or a plane twice: as these two.
-    HD bool is_repeated(uint32_t a, uint32_t b) const {
-        if (is_sphere(a))
-            return is_sphere(b) && spheres[a].radius == spheres[b].radius && spheres[a].center == spheres[b].center;
-        return is_plane(a) && is_plane(b) && plane(a).distance == plane(b).distance &&
-               plane(a).normal == plane(b).normal;
     }
     /// The radius of a sphere; of an ellipsoid, half of its box's longest side.
     HD Real radius(uint32_t id) const {
@@ -118,6 +120,10 @@ template <class Real> struct SceneView {
     /// the small things on it can bear.
     HD bool meets_exactly(uint32_t id) const {
         return !exact.spheres.empty() && geometry.is_sphere(id) && geometry.spheres[id].radius > geometry.large_radius;
+    }
+    /// Whether two primitives are the same shape at the same place, as exactly as it is known.
+    HD bool is_repeated(uint32_t a, uint32_t b) const {
+        return geometry.is_repeated(a, b) && (exact.empty() || exact.is_repeated(a, b));
     }
 };
 

@@ -58,7 +58,8 @@ HD Vec3<Real> light_arriving(const SceneView<Real>& scene, const Surface<Path>& 
         light *= material_transmission(scene, material, Vec3<Real>(blocker.point));
         if (scene.has_fading) {
             if (inside.contains(blocker.primitive))
-                light *= attenuation(interior_of(scene, blocker.primitive), distance_passed(based, passed, hit));
+                light *= attenuation(interior_of(scene, blocker.primitive), distance_passed(based, passed, hit),
+                                     scene.limits.least_fade);
             inside.toggle(blocker.primitive);
             interiors.overflow |= inside.overflow;
         }

@@ -46,12 +46,13 @@ HD Path refined_distance(const ShapesView<Path>& shapes, const Ray<Path>& ray, u
     return magnitude(met.near - about) < magnitude(met.far - about) ? met.near : met.far;
 }
 
-/// The point of a shape, and its outward normal, at a point close to its surface.
+/// The point of a shape, and its outward normal, at a point close to its surface. Where Real tells nothing apart, the
+/// normal may be 0: no light comes from there.
 template <class Path> HD void move_onto(const ShapesView<Path>& shapes, Surface<Path>& surface) {
     const uint32_t id = surface.primitive;
     if (shapes.is_sphere(id)) {
         const Sphere<Path>& sphere = shapes.spheres[id];
-        surface.outward = glm::normalize(surface.point - sphere.center);
+        surface.outward = direction_of(surface.point - sphere.center);
         surface.point = sphere.center + sphere.radius * surface.outward;
     } else if (shapes.is_plane(id)) {
         const Plane<Path>& plane = shapes.plane(id);
@@ -59,9 +60,9 @@ template <class Path> HD void move_onto(const ShapesView<Path>& shapes, Surface<
         surface.point -= (glm::dot(plane.normal, surface.point) - plane.distance) * plane.normal;
     } else {
         const Ellipsoid<Path>& ellipsoid = shapes.ellipsoid(id);
-        const Vec3<Path> seen = glm::normalize(ellipsoid.object_from_world.point(surface.point));
+        const Vec3<Path> seen = direction_of(ellipsoid.object_from_world.point(surface.point));
         surface.point = ellipsoid.world_from_object.point(seen);
-        surface.outward = glm::normalize(ellipsoid.object_from_world.normal_to_source(seen));
+        surface.outward = direction_of(ellipsoid.object_from_world.normal_to_source(seen));
     }
 }
 

@@ -111,7 +111,8 @@ template <class Real, Features features, RoundShapes shapes = RoundShapes::all, 
             (!transparent || !(scene.surfaces.materials[surface.material].flags & material_double_illuminate)))
             return Vec3<Real>(Real(0));
         Vec3<Real> arriving =
-            Vec3<Real>(light.color) * (plain ? light_fade(light, ray.distance) : light_share(light, point, ray));
+            Vec3<Real>(light.color) * (plain ? light_fade(light, ray.distance, scene.limits.least_fade)
+                                             : light_share(light, point, ray, scene.limits.least_fade));
         if (arriving == Vec3<Real>(Real(0)))
             return arriving;
         if (light.shadowless)
@@ -143,7 +144,8 @@ template <class Real, Features features, RoundShapes shapes = RoundShapes::all, 
             if (magnitude(grey(transmission)) > Real(scene.adc_bailout)) {
                 State through = path;
                 if (scene.has_fading && interiors.contains(surface.primitive))
-                    through.throughput *= attenuation(interior_of(scene, surface.primitive), distance);
+                    through.throughput *=
+                        attenuation(interior_of(scene, surface.primitive), distance, scene.limits.least_fade);
                 InteriorList behind;
                 behind.copy_from(interiors);
                 if (!transmit(through, behind, transmission, surface, hit)) {

@@ -43,8 +43,9 @@ template <class Real> HD_INNER Real lesser(Real a, Real b) {
     return b < a ? b : a;
 #endif
 }
+/// `low` for a NaN, so that what indexes arrays stays in them.
 template <class Real> HD Real clamped(Real v, Real low, Real high) {
-    return smaller(larger(v, low), high);
+    return smaller(larger(low, v), high);
 }
 HD inline float power(float base, float exponent) {
     return ::powf(base, exponent);
@@ -122,6 +123,11 @@ HD inline double just_below(double v) {
 
 template <class Real> HD Real max_component(const Vec3<Real>& v) {
     return larger(larger(v.x, v.y), v.z);
+}
+
+/// A vector's direction; 0 where its square vanishes or is too large for Real, and never a NaN.
+template <class Real> HD Vec3<Real> direction_of(const Vec3<Real>& v) {
+    return glm::dot(v, v) > 0 ? glm::normalize(v) : Vec3<Real>(Real(0));
 }
 
 /// POV-Ray's weights of a colour's channels.

@@ -6,7 +6,7 @@
 #include "renderer/ini_options.h"
 #include "renderer/option_values.h"
 #include "renderer/render_options.h"
-#include "renderer/tradeoff_options.h"
+#include "renderer/tradeoff/tradeoff_options.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

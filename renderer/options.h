@@ -10,9 +10,9 @@
 #include "renderer/frame_renderer.h"
 #include "renderer/multi_gpu.h"
 #include "renderer/output_name.h"
-#include "renderer/picture_error.h"
 #include "renderer/progress.h"
 #include "renderer/scene_overrides.h"
+#include "renderer/tradeoff/picture_error.h"
 
 #include <filesystem>
 #include <optional>

@@ -3,7 +3,6 @@
 // one thread, rendered on those of the devices, and coloured, encoded and written on the writer's.
 #include "renderer/atomic_file.h"
 #include "renderer/choose_devices.h"
-#include "renderer/choose_quality.h"
 #include "renderer/commands.h"
 #include "renderer/device_error.h"
 #include "renderer/errors.h"
@@ -13,10 +12,11 @@
 #include "renderer/frame_source.h"
 #include "renderer/frame_writer.h"
 #include "renderer/leftovers.h"
-#include "renderer/quality_setting.h"
 #include "renderer/render_workers.h"
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
+#include "renderer/tradeoff/choose_quality.h"
+#include "renderer/tradeoff/quality_setting.h"
 
 #include <atomic>
 #include <cstdio>

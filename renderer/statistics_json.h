@@ -2,9 +2,9 @@
 // What a run cost, as one JSON object: the --stats-json file.
 #pragma once
 #include "renderer/frame_renderer.h"
-#include "renderer/picture_error.h"
 #include "renderer/scene_facts.h"
 #include "renderer/timeline.h"
+#include "renderer/tradeoff/picture_error.h"
 
 #include <cstdint>
 #include <optional>

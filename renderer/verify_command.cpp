@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The order of work of `proxima verify`.
-#include "renderer/choose_quality.h"
 #include "renderer/color.h"
 #include "renderer/commands.h"
 #include "renderer/errors.h"
 #include "renderer/frame_audit.h"
+#include "renderer/tradeoff/choose_quality.h"
 
 #include <cstdio>
 #include <fmt/format.h>

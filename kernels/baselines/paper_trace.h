@@ -51,7 +51,7 @@ struct TracePaperPixels {
             const Surface<float> surface = surface_at(scene, ray, based, visitor.best());
             uint32_t shadows = 0;
             for (uint32_t i = 0; i < scene.lights.size(); ++i) {
-                const PlainLight<float> seen(scene.lights[i], surface);
+                const PlainLight<float> seen(scene, scene.lights[i], surface);
                 if (seen.shines() && is_shadowed_from(surface, seen.ray))
                     shadows |= 1u << i;
             }

@@ -34,7 +34,7 @@ void add_crowd(Cases& cases, const std::string& name, const std::string& count, 
 
 } // namespace
 
-std::vector<ExtremeCase> extreme_cases() {
+std::vector<ExtremeCase> extreme_cases(Slowness slowness) {
     Cases cases;
     cases.add("as it is", "spheres");
     cases.add("mirrors", "spheres", {{"Mirror", "1"}});
@@ -73,15 +73,16 @@ std::vector<ExtremeCase> extreme_cases() {
     add_crowd(cases, "100 thousand in a voxel", "100000", true);
     add_crowd(cases, "1 million in a voxel", "1000000", false);
     add_crowd(cases, "2 million in a voxel", "2000000", false);
+    if (slowness == Slowness::all)
+        add_crowd(cases, "50 million in a voxel", "50000000", false);
     cases.add("all on one plane", "flat");
     cases.add("all on one line", "flat", {{"Line", "1"}});
     cases.add("denormal numbers", "denormal");
     return cases.take();
 }
 
-SceneProgram read_case(const ExtremeCase& extreme) {
-    return read_scene(std::filesystem::path(PROXIMA_EXTREMES) / extreme.scene, extreme.width, extreme.height,
-                      extreme.declares);
+SceneProgram read_case(const ExtremeCase& extreme, const std::filesystem::path& scenes) {
+    return read_scene(scenes / extreme.scene, extreme.width, extreme.height, extreme.declares);
 }
 
 } // namespace proxima::testing

@@ -11,11 +11,13 @@ struct ExtremeCase {
     Declares declares{};
     uint32_t width = 64, height = 48;
     bool is_quick = true;   ///< it is part of the test
-    bool by_a_hair = false; ///< rays run along outlines: which of them hit is no matter of the picture
+    bool by_a_hair = false; ///< rays run along outlines: a picture is as good as one seen outline_tolerance aside
 };
 
-std::vector<ExtremeCase> extreme_cases();
+/// Whether to have the case that takes minutes and gigabytes.
+enum class Slowness { usual, all };
+std::vector<ExtremeCase> extreme_cases(Slowness slowness = Slowness::usual);
 
-SceneProgram read_case(const ExtremeCase& extreme);
+SceneProgram read_case(const ExtremeCase& extreme, const std::filesystem::path& scenes = PROXIMA_EXTREMES);
 
 } // namespace proxima::testing

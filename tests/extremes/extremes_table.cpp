@@ -127,11 +127,8 @@ int main(int argc, char** argv) {
             slow = true;
         else
             wanted = argv[i];
-    std::vector<ExtremeCase> cases = extreme_cases();
-    if (slow)
-        cases.push_back({"50 million in a voxel", "crowd.scn", {{"Count", "50000000"}}, 16, 16, false});
     Study study;
-    for (const ExtremeCase& extreme : cases)
+    for (const ExtremeCase& extreme : extreme_cases(slow ? Slowness::all : Slowness::usual))
         if (extreme.name.find(wanted) != std::string::npos)
             study.add(extreme);
     study.write();

@@ -4,6 +4,8 @@
 #include "tests/extremes/cases.h"
 #include "tests/extremes/figures.h"
 
+#include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace proxima;
@@ -46,7 +48,9 @@ TEST_CASE("extremes: float with its automatic help sees what double sees") {
         const Image exact = render_scene(scene, in_double);
         const Image picture = helped == Precision::float64 ? exact : render_scene(scene, as_helped);
         CHECK(compare_levels(exact, picture).not_finite == 0);
-        if (!extreme.by_a_hair)
+        if (extreme.by_a_hair)
+            CHECK(share_seen_beside(pictures_beside(scene, in_double), picture) == 1);
+        else
             CHECK(compare_levels(exact, picture).within_one >= 0.999);
     }
 }
@@ -61,6 +65,28 @@ TEST_CASE("extremes: no picture in float has a NaN or an infinity, whatever it i
     }
 }
 
+TEST_CASE("extremes: a grid, a cloud and neither make the same picture, and its layers are numbers") {
+    for (const ExtremeCase& extreme : extreme_cases()) {
+        if (!extreme.is_quick)
+            continue;
+        CAPTURE(extreme.name);
+        const SceneProgram scene = read_case(extreme);
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+            FrameSettings settings = settings_of(extreme, precision);
+            settings.aovs = {.depth = true, .normal = true, .id = true, .steps = false};
+            settings.accelerator = Accelerator::brute;
+            const Image brute = render_scene(scene, settings);
+            CHECK(std::ranges::all_of(brute.aovs, [](const AovSample& sample) {
+                return std::isfinite(sample.depth) && std::isfinite(glm::dot(sample.normal, sample.normal));
+            }));
+            for (const Accelerator accelerator : {Accelerator::grid, Accelerator::cloud}) {
+                settings.accelerator = accelerator;
+                CHECK(render_scene(scene, settings).rgb == brute.rgb);
+            }
+        }
+    }
+}
+
 TEST_CASE("extremes: in double an outline is where it is, to the last bit of a radius") {
     const auto hits = [](const char* off) {
         ExtremeCase extreme{"", "grazing.scn", {{"Off", off}}, 16, 16};
@@ -71,17 +97,21 @@ TEST_CASE("extremes: in double an outline is where it is, to the last bit of a r
     CHECK(hits("1") == 64);
 }
 
-TEST_CASE("extremes: what a scene has twice throws no shadow on itself") {
-    for (const char* mirror : {"0", "1"}) // whose paths are followed in double
+TEST_CASE("extremes: what a scene has twice throws no shadow on itself, and of glass it is as if once") {
+    const Declares kinds[] = {{{"Kind", "0"}}, {{"Kind", "1"}}, {{"Kind", "2"}}, {{"Kind", "2"}, {"Inside", "1"}}};
+    for (const Declares& kind : kinds)
         for (const Precision precision : {Precision::float32, Precision::float64}) {
-            ExtremeCase extreme{"", "twice.scn", {{"Times", "1"}, {"Mirror", mirror}}};
+            CAPTURE(kind.size());
+            ExtremeCase extreme{"", "twice.scn", kind};
+            extreme.declares.emplace_back("Times", "1");
             FrameSettings settings = settings_of(extreme, precision);
             settings.accelerator = Accelerator::brute;
             const Image once = render_scene(read_case(extreme), settings);
-            extreme.declares[0].second = "3";
-            CHECK(render_scene(read_case(extreme), settings).rgb == once.rgb);
-            settings.accelerator = Accelerator::grid;
-            CHECK(render_scene(read_case(extreme), settings).rgb == once.rgb);
+            extreme.declares.back().second = "3";
+            for (const Accelerator accelerator : {Accelerator::brute, Accelerator::grid, Accelerator::cloud}) {
+                settings.accelerator = accelerator;
+                CHECK(render_scene(read_case(extreme), settings).rgb == once.rgb);
+            }
         }
 }
 

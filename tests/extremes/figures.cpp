@@ -28,17 +28,19 @@ int level(float v) {
     return int(std::lround(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055)));
 }
 
+/// Seen outline_tolerance aside, in one of eight directions.
+SceneProgram seen_aside(const SceneProgram& scene, const FrameSettings& settings, int direction) {
+    const double turn = direction * 0.7853981633974483;
+    return seen_beside(scene, settings, outline_tolerance * std::cos(turn), outline_tolerance * std::sin(turn));
+}
+
 } // namespace
 
 Reference reference_hits(const SceneProgram& scene, FrameSettings settings) {
     settings.precision = Precision::float64;
     Reference reference{probe(scene, settings), {}};
-    for (int i = 0; i < 8; ++i) {
-        const double turn = i * 0.7853981633974483;
-        reference.beside[i] =
-            probe(seen_beside(scene, settings, outline_tolerance * std::cos(turn), outline_tolerance * std::sin(turn)),
-                  settings);
-    }
+    for (int i = 0; i < 8; ++i)
+        reference.beside[i] = probe(seen_aside(scene, settings, i), settings);
     return reference;
 }
 
@@ -99,6 +101,25 @@ Image render_scene(const SceneProgram& scene, const FrameSettings& settings) {
     Image image;
     renderer->render(settings, image);
     return image;
+}
+
+std::vector<Image> pictures_beside(const SceneProgram& scene, FrameSettings settings) {
+    settings.precision = Precision::float64;
+    std::vector<Image> pictures{render_scene(scene, settings)};
+    for (int i = 0; i < 8; ++i)
+        pictures.push_back(render_scene(seen_aside(scene, settings, i), settings));
+    return pictures;
+}
+
+double share_seen_beside(const std::vector<Image>& pictures, const Image& image) {
+    uint64_t seen = 0;
+    const size_t pixels = image.rgb.size() / 3;
+    for (size_t i = 0; i < pixels; ++i)
+        seen += std::ranges::any_of(pictures, [&](const Image& picture) {
+            const float *a = picture.rgb.data() + 3 * i, *b = image.rgb.data() + 3 * i;
+            return std::equal(a, a + 3, b, [](float x, float y) { return std::abs(level(x) - level(y)) <= 1; });
+        });
+    return pixels ? double(seen) / double(pixels) : 1;
 }
 
 } // namespace proxima::testing

@@ -39,4 +39,10 @@ LevelFigures compare_levels(const Image& a, const Image& b);
 /// Renders with the precision that the settings name.
 Image render_scene(const SceneProgram& scene, const FrameSettings& settings);
 
+/// Double's picture and eight around it, whose rays are outline_tolerance of a pixel aside.
+std::vector<Image> pictures_beside(const SceneProgram& scene, FrameSettings settings);
+
+/// The share of pixels that one of `pictures` has as well, each sample within a level.
+double share_seen_beside(const std::vector<Image>& pictures, const Image& image);
+
 } // namespace proxima::testing

@@ -36,6 +36,16 @@ TEST_CASE("interiors: those around a point are in the order of their ids") {
         CHECK(list.ids[i - 1] < list.ids[i]);
 }
 
+TEST_CASE("interiors: of those that are in the same place, the first one stays") {
+    InteriorList list;
+    for (const uint32_t id : {1u, 2u, 4u, 5u, 7u, 11u})
+        list.enter(id);
+    list.leave_out_repeated([](uint32_t a, uint32_t b) { return a % 3 == b % 3; });
+    REQUIRE(list.count == 2);
+    CHECK(list.ids[0] == 1);
+    CHECK(list.ids[1] == 2);
+}
+
 TEST_CASE("interiors: light fades on its way out") {
     struct Row {
         float power, distance, tint;
@@ -52,7 +62,7 @@ TEST_CASE("interiors: light fades on its way out") {
     for (const Row& row : rows) {
         CAPTURE(row.power);
         const Interior interior{1.0f, row.distance, row.power, glm::vec3(row.tint)};
-        CHECK(attenuation(interior, row.way).x == doctest::Approx(row.left));
+        CHECK(attenuation(interior, row.way, 0).x == doctest::Approx(row.left));
     }
 }
 

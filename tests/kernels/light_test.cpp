@@ -27,7 +27,7 @@ TEST_CASE("light: fades as 2 / (1 + (d / distance)^power)") {
         Light<double> light;
         light.fade_distance = row.distance;
         light.fade_power = row.power;
-        CHECK(light_fade(light, row.d) == doctest::Approx(row.factor));
+        CHECK(light_fade(light, row.d, 0) == doctest::Approx(row.factor));
     }
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("light: a spot is full inside its radius, dark beyond its falloff, and
     light.falloff = 0.5;
     const auto share_at = [&](double cosine) {
         const Vec3<double> point(std::sqrt(1 - cosine * cosine), 0, cosine);
-        return light_share(light, point, light_ray(light, point));
+        return light_share(light, point, light_ray(light, point), 0);
     };
     CHECK(share_at(0.95) == 1);
     CHECK(share_at(0.7) == doctest::Approx(0.5));
@@ -61,10 +61,10 @@ TEST_CASE("light: a cylinder is a beam of lengths along its axis, in front of th
     const LightRay<double> ray = light_ray(light, {1, 1, 0});
     CHECK(ray.direction == Vec3<double>(0, 1, 0));
     CHECK(ray.distance == 3);
-    CHECK(light_share(light, {0.5, 1, 0}, ray) == 1);
-    CHECK(light_share(light, {1.5, 1, 0}, ray) == doctest::Approx(0.5));
-    CHECK(light_share(light, {2.5, 1, 0}, ray) == 0);
-    CHECK(light_share(light, {0.5, 5, 0}, light_ray(light, {0.5, 5, 0})) == 0);
+    CHECK(light_share(light, {0.5, 1, 0}, ray, 0) == 1);
+    CHECK(light_share(light, {1.5, 1, 0}, ray, 0) == doctest::Approx(0.5));
+    CHECK(light_share(light, {2.5, 1, 0}, ray, 0) == 0);
+    CHECK(light_share(light, {0.5, 5, 0}, light_ray(light, {0.5, 5, 0}), 0) == 0);
 }
 
 TEST_CASE("light: parallel light comes from one direction; behind its plane the way is negative") {

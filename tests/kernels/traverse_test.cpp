@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("traverse: every grid and cloud finds what brute force finds,
     }
 }
 
-TEST_CASE("traverse: a ray that has passed a hit sees each surface once, duplicates too") {
+TEST_CASE("traverse: a ray that has passed a hit sees each surface once, and what is there twice as if once") {
     const std::vector<Sphere<double>> spheres{{{0, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 0, 0.5}, 1}, {{0, 0, 0}, 1}};
     const std::vector<uint32_t> materials(spheres.size(), 0);
     const std::vector<Material> surfaces(1);
@@ -150,7 +150,7 @@ TEST_CASE("traverse: a ray that has passed a hit sees each surface once, duplica
         order.push_back(hit.primitive);
         REQUIRE(order.size() <= 8);
     }
-    CHECK(order == std::vector<uint32_t>{0, 1, 3, 2, 0, 1, 3, 2});
+    CHECK(order == std::vector<uint32_t>{0, 2, 0, 2});
 }
 
 TEST_CASE("traverse: a ray leaves its own sphere outward for good, inward at the analytic exit") {

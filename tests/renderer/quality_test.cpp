@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What trades accuracy for time: what can be chosen for a scene, how errors are measured, and what is concluded.
-#include "renderer/choose_quality.h"
-#include "renderer/quality_space.h"
 #include "renderer/scene_hash.h"
-#include "renderer/tradeoff_chart.h"
-#include "renderer/tradeoff_text.h"
+#include "renderer/tradeoff/chart.h"
+#include "renderer/tradeoff/choose_quality.h"
+#include "renderer/tradeoff/quality_space.h"
+#include "renderer/tradeoff/text.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>

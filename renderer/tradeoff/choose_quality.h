@@ -4,9 +4,9 @@
 // part of an animation and on every machine: "cheapest" is most_rays, counted.
 #pragma once
 #include "renderer/options.h"
-#include "renderer/picture_error.h"
-#include "renderer/quality_setting.h"
 #include "renderer/stop_signal.h"
+#include "renderer/tradeoff/picture_error.h"
+#include "renderer/tradeoff/quality_setting.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The findings of `proxima tradeoff` as texts: for people, for spreadsheets, for programs.
 #pragma once
-#include "renderer/tradeoff_record.h"
+#include "renderer/tradeoff/record.h"
 
 namespace proxima {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/tradeoff_text.h"
+#include "renderer/tradeoff/text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

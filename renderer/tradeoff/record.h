@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `proxima tradeoff` found: settings with their time and error, which of them are worth having, and what to take.
 #pragma once
-#include "renderer/picture_error.h"
-#include "renderer/quality_setting.h"
+#include "renderer/tradeoff/picture_error.h"
+#include "renderer/tradeoff/quality_setting.h"
 
 #include <cstdint>
 #include <string>

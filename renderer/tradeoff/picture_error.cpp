@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/picture_error.h"
+#include "renderer/tradeoff/picture_error.h"
 #include "renderer/color.h"
 #include "renderer/image_figures.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/quality_pilot.h"
+#include "renderer/tradeoff/quality_pilot.h"
 #include "renderer/errors.h"
 #include "renderer/image_mean.h"
 #include "renderer/timing.h"

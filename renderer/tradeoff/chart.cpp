@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/tradeoff_chart.h"
+#include "renderer/tradeoff/chart.h"
 
 #include <algorithm>
 #include <cmath>

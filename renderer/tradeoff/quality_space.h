@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene in, what can be chosen for it out: only what it can react to has more than one option.
 #pragma once
-#include "renderer/picture_error.h"
-#include "renderer/quality_setting.h"
+#include "renderer/tradeoff/picture_error.h"
+#include "renderer/tradeoff/quality_setting.h"
 
 #include <array>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time against error as a picture: every setting a point, the front a line of steps, both axes logarithmic.
 #pragma once
-#include "renderer/tradeoff_record.h"
+#include "renderer/tradeoff/record.h"
 
 namespace proxima {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/choose_quality.h"
+#include "renderer/tradeoff/choose_quality.h"
 #include "renderer/errors.h"
-#include "renderer/quality_pilot.h"
-#include "renderer/quality_space.h"
 #include "renderer/timing.h"
+#include "renderer/tradeoff/quality_pilot.h"
+#include "renderer/tradeoff/quality_space.h"
 
 #include <algorithm>
 #include <fmt/format.h>

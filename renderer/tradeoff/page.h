@@ -3,7 +3,7 @@
 // page needs nothing but this folder, no network either.
 #pragma once
 #include "renderer/image_file.h"
-#include "renderer/tradeoff_record.h"
+#include "renderer/tradeoff/record.h"
 
 #include <filesystem>
 

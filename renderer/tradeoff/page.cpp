@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/tradeoff_page.h"
-#include "embedded_tradeoff_page.h"
+#include "renderer/tradeoff/page.h"
 #include "parser/source_files.h"
 #include "renderer/atomic_file.h"
 #include "renderer/color.h"
 #include "renderer/difference_picture.h"
 #include "renderer/page_template.h"
 #include "renderer/timing.h"
-#include "renderer/tradeoff_chart.h"
-#include "renderer/tradeoff_text.h"
+#include "renderer/tradeoff/chart.h"
+#include "renderer/tradeoff/text.h"
+#include "tradeoff/embedded_page.h"
 
 #include <fmt/format.h>
 

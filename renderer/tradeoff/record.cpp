@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/tradeoff_record.h"
+#include "renderer/tradeoff/record.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/tradeoff_options.h"
+#include "renderer/tradeoff/tradeoff_options.h"
 #include "renderer/errors.h"
 #include "renderer/ini_options.h"
 #include "renderer/option_values.h"

@@ -5,9 +5,9 @@
 #include "renderer/commands.h"
 #include "renderer/errors.h"
 #include "renderer/stop_signal.h"
-#include "renderer/tradeoff_measurement.h"
-#include "renderer/tradeoff_page.h"
-#include "renderer/tradeoff_text.h"
+#include "renderer/tradeoff/measurement.h"
+#include "renderer/tradeoff/page.h"
+#include "renderer/tradeoff/text.h"
 
 #include <cstdio>
 #include <tbb/global_control.h>

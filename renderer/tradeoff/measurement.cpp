@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/tradeoff_measurement.h"
+#include "renderer/tradeoff/measurement.h"
 
 #include <algorithm>
 #include <cmath>

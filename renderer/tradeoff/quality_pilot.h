@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run's scene and frames in, small pictures of them at any quality out: what settings are compared by.
 #pragma once
-#include "renderer/picture_error.h"
-#include "renderer/quality_setting.h"
 #include "renderer/scene_source.h"
 #include "renderer/stop_signal.h"
+#include "renderer/tradeoff/picture_error.h"
+#include "renderer/tradeoff/quality_setting.h"
 
 #include <memory>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/quality_space.h"
+#include "renderer/tradeoff/quality_space.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // The measuring of `proxima tradeoff`: each aspect alone first, then the combinations that promise to be on the front,
 // until the time is up.
 #pragma once
-#include "renderer/quality_pilot.h"
-#include "renderer/quality_space.h"
 #include "renderer/timing.h"
-#include "renderer/tradeoff_record.h"
+#include "renderer/tradeoff/quality_pilot.h"
+#include "renderer/tradeoff/quality_space.h"
+#include "renderer/tradeoff/record.h"
 
 #include <functional>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/quality_setting.h"
+#include "renderer/tradeoff/quality_setting.h"
 
 #include <fmt/format.h>
 
