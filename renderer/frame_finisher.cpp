@@ -74,6 +74,8 @@ void FrameFinisher::prepare(FinishedFrame& frame) {
         return;
     }
     frame.record.replaced_samples = replace_non_finite(frame.image);
+    if (options_.type == SampleType::uint8 && !options_.dither && color_.to_levels(frame.image))
+        return;
     color_.apply(frame.image);
     if (options_.type == SampleType::half)
         frame.record.clamped_samples = clamp_to_half(frame.image);

@@ -52,7 +52,7 @@ std::string first_line(std::string_view text) {
 } // namespace
 
 std::vector<uint8_t> quantize_to_bytes(const Image& image, bool dither) {
-    return quantize_all<uint8_t>(image, dither);
+    return image.levels.empty() ? quantize_all<uint8_t>(image, dither) : image.levels;
 }
 
 ImageEncoder::ImageEncoder()
@@ -66,6 +66,10 @@ std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageF
     EncodeImage* const encode = functions_.get().encode;
     switch (settings.type) {
     case SampleType::uint8: {
+        if (!image.levels.empty()) {
+            request.samples = image.levels.data();
+            return encode(request);
+        }
         const auto samples = quantize_to_bytes(image, settings.dither);
         request.samples = samples.data();
         return encode(request);

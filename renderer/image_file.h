@@ -30,7 +30,7 @@ struct ImageFileSettings {
 };
 
 /// The levels of all samples at 8 bits. With `dither` each is rounded up or down by chance, so that areas keep their
-/// mean; the chance depends on the sample's place alone.
+/// mean; the chance depends on the sample's place alone. Those that the image has already are taken as they are.
 std::vector<uint8_t> quantize_to_bytes(const Image& image, bool dither = false);
 
 /// The encoder module, loaded on a thread of its own from the program's folder (or the library path).
