@@ -25,7 +25,7 @@ FrameFinisher::FrameFinisher(const RenderOptions& options)
 void FrameFinisher::start(Progress& progress, RunWatch watch) {
     progress_ = &progress;
     watch_ = watch;
-    encoder_.emplace();
+    encoder_.emplace(options_.output->format());
 }
 
 void FrameFinisher::show_kept(const std::vector<AuditedFrame>& frames) {
