@@ -191,7 +191,7 @@ void Evaluator::run_for(const Token& directive) {
     const SourceSpan declared = span(variable_name);
     separator();
     const double start = number();
-    Loop loop{.opener = &directive, .variable = variable};
+    Loop loop{.opener = &directive, .variable = variable, .start = start};
     separator();
     loop.end = number();
     if (accept(TokenKind::comma))
