@@ -303,6 +303,7 @@ private:
     bool pattern_item(PigmentValue& value);
     void complete_pattern(PigmentValue& value);
     ColorMapRef color_map();
+    void expect_color_word();
     void check_rising(const Token& at, std::span<const Moving<ColorStop>> stops) const;
 
     // eval_pigment_map.cpp

@@ -220,11 +220,12 @@ std::string RandomScript::surface() {
     case 2:
         return fmt::format(" pigment {{ checker {} {} {} }}", color(), color(), transform());
     case 3:
-        return fmt::format(" finish {{ diffuse abs({}) phong {} reflection {{ {} }} }}", number(1), constant(),
-                           color());
+        return fmt::format(" finish {{ diffuse {} abs({}) phong {} {} brilliance abs({})+1 reflection {{ {} }} }}",
+                           one_of({"", "albedo"}), number(1), one_of({"", "albedo"}), constant(), number(1), color());
     case 4:
-        return fmt::format(" pigment {{ gradient y color_map {{ [0 {}] [1 {}] }} phase {} {} }}", color(), color(),
-                           number(1), transform());
+        return fmt::format(
+            " pigment {{ gradient {}+3*y color_map {{ [0 {}] [0.4+0.1*sin({}) {}] [1 {}] }} phase {} {} }}", vector(1),
+            color(), number(1), color(), color(), number(1), transform());
     default:
         return " texture { T }";
     }
