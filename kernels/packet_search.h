@@ -18,7 +18,7 @@ HD void search_packet(const SceneView<Real>& scene, RayPacket<Real>& rays, const
         visitor.meet_plane(geometry.round_count() + i);
     for (const uint32_t id : geometry.large)
         visitor.meet_large(id);
-    PacketWalk<Real> walk(scene.grid, rays);
+    PacketWalk<Real> walk(scene.grid, geometry.spheres, rays);
     if (walk.go([&](uint32_t id) { visitor.meet_sphere(id); }))
         return;
     for (uint32_t lane = 0; lane < RayPacket<Real>::lanes; ++lane)

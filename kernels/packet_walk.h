@@ -12,9 +12,13 @@ public:
     static constexpr uint32_t lanes = RayPacket<Real>::lanes;
     static constexpr int32_t most_voxels = 12; ///< of a slice: rays further apart do better alone
 
-    HD PacketWalk(const GridView<Real>& grid, const RayPacket<Real>& rays) : grid_(grid), rays_(rays) { aim(); }
+    /// `spheres`: what the grid holds.
+    HD PacketWalk(const GridView<Real>& grid, std::span<const Sphere<Real>> spheres, const RayPacket<Real>& rays)
+        : grid_(grid), spheres_(spheres), rays_(rays) {
+        aim();
+    }
 
-    /// Shows `meet` the primitives along the rays, each about once. False where the rays are too far apart: then not
+    /// Shows `meet` the spheres along the rays, each about once. False where the rays are too far apart: then not
     /// all were shown.
     template <class Meet> HD bool go(const Meet& meet) {
         if (!is_coherent_)
@@ -39,10 +43,11 @@ private:
     static constexpr uint32_t recent_size = 32;
     static constexpr Real margin = Real(1e-3); ///< of a voxel: what rounding may move a ray by
 
-    /// Voxels of a slice, both ends included.
+    /// Voxels of a slice, both ends included, and in the scene's units the part of them that the rays cross.
     struct Rectangle {
         int32_t low[2] = {0, 0};
         int32_t high[2] = {-1, -1};
+        Real least[2], most[2];
         bool is_alive = false; ///< whether some ray is in this slice or comes to a later one
 
         HD int32_t count() const { return (high[0] - low[0] + 1) * (high[1] - low[1] + 1); }
@@ -60,31 +65,44 @@ private:
         forward_ = rays_.direction[axis_][some] > 0;
         across_[0] = axis_ == 0 ? 1 : 0;
         across_[1] = axis_ == 2 ? 1 : 2;
-        const int u = across_[0], v = across_[1];
-        const Real* along = rays_.direction[axis_];
-        const Real* origin[3] = {rays_.origin[axis_], rays_.origin[u], rays_.origin[v]};
-        const Real* direction[2] = {rays_.direction[u], rays_.direction[v]};
-        const Real sign = forward_ ? scale[axis_] : -scale[axis_];
-        uint32_t strays = 0;
-        for (uint32_t lane = 0; lane < lanes; ++lane) {
-            const Real pace = Real(1) / (sign * along[lane]);
-            start_[lane] = (origin[0][lane] - grid_.lower[axis_]) * scale[axis_];
-            place_[0][lane] = (origin[1][lane] - grid_.lower[u]) * scale[u];
-            place_[1][lane] = (origin[2][lane] - grid_.lower[v]) * scale[v];
-            slope_[0][lane] = direction[0][lane] * scale[u] * pace;
-            slope_[1][lane] = direction[1][lane] * scale[v] * pace;
-            const Real sideways = larger(magnitude(slope_[0][lane]), magnitude(slope_[1][lane]));
-            // Not those at extremes either, whose places are not numbers.
-            const bool is_inside = starts_inside(start_[lane], axis_) & starts_inside(place_[0][lane], u) &
-                                   starts_inside(place_[1][lane], v);
-            const bool is_stray = enters(lane) & !((pace > 0) & (sideways < Real(4)) & is_inside);
-            strays |= is_stray ? 1u : 0u;
-            pace_[lane] = enters(lane) ? pace : infinity<Real>; // so that it reaches no slice
-        }
+        const uint32_t strays = turn(axis_along(axis_), axis_along(across_[0]), axis_along(across_[1]));
         is_coherent_ = strays == 0;
     }
-    HD_INNER bool starts_inside(Real place, int axis) const {
-        return (place >= -1) & (place <= Real(grid_.size[axis] + 1));
+    /// What a loop over the lanes reads of an axis: copies, which nothing that it writes overwrites.
+    struct Axis {
+        const Real* origin;
+        const Real* direction;
+        Real lower, scale, end;
+
+        HD_INNER Real place(uint32_t lane) const { return (origin[lane] - lower) * scale; }
+        HD_INNER bool is_inside(Real place) const { return (place >= -1) & (place <= end); }
+    };
+    HD_INNER Axis axis_along(int i) const {
+        return {rays_.origin[i], rays_.direction[i], grid_.lower[i], grid_.inverse_voxel[i], Real(grid_.size[i] + 1)};
+    }
+    /// Returns other than 0 if some ray goes astray.
+    HD uint32_t turn(Axis along, Axis across_u, Axis across_v) {
+        const Real sign = forward_ ? along.scale : -along.scale;
+        uint32_t strays = 0;
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            const bool is_in = enters(lane);
+            const Real pace = Real(1) / (sign * along.direction[lane]);
+            const Real start = along.place(lane), u = across_u.place(lane), v = across_v.place(lane);
+            const Real slope_u = across_u.direction[lane] * across_u.scale * pace;
+            const Real slope_v = across_v.direction[lane] * across_v.scale * pace;
+            const Real sideways = larger(magnitude(slope_u), magnitude(slope_v));
+            // Not those at extremes either, whose places are not numbers.
+            const bool is_inside = along.is_inside(start) & across_u.is_inside(u) & across_v.is_inside(v);
+            const bool is_straight = (pace > 0) & (sideways < Real(4)) & is_inside;
+            strays |= is_in & !is_straight ? 1u : 0u;
+            start_[lane] = start;
+            place_[0][lane] = u;
+            place_[1][lane] = v;
+            slope_[0][lane] = slope_u;
+            slope_[1][lane] = slope_v;
+            pace_[lane] = is_in ? pace : infinity<Real>; // so that it reaches no slice
+        }
+        return strays;
     }
     HD_INNER bool enters(uint32_t lane) const { return !rays_.is_idle(lane) & (rays_.meets_bounds[lane] != 0); }
 
@@ -135,10 +153,19 @@ private:
         for (int i = 0; i < 2 && low[0][0] < infinity<Real>; ++i) {
             voxels.low[i] = int32_t(clamped(low[i][0], Real(0), end[i] - 1));
             voxels.high[i] = int32_t(clamped(high[i][0], Real(0), end[i] - 1));
+            voxels.least[i] = grid_.lower[across_[i]] + low[i][0] * grid_.voxel[across_[i]];
+            voxels.most[i] = grid_.lower[across_[i]] + high[i][0] * grid_.voxel[across_[i]];
         }
         return voxels;
     }
 
+    /// Where a ray meets a sphere, the sphere reaches into what the rays cross of that slice.
+    HD_INNER bool reaches(const Rectangle& voxels, const Sphere<Real>& sphere) const {
+        const Real radius = sphere.radius + grid_.inflation;
+        const Real u = sphere.center[across_[0]], v = sphere.center[across_[1]];
+        return (u + radius >= voxels.least[0]) & (u - radius <= voxels.most[0]) & (v + radius >= voxels.least[1]) &
+               (v - radius <= voxels.most[1]);
+    }
     /// Spheres reach into several voxels: those met a moment ago are not met again.
     template <class Meet>
     HD_INNER void visit(int32_t slice, const Rectangle& voxels, uint32_t (&recent)[recent_size], const Meet& meet) {
@@ -151,7 +178,7 @@ private:
                     const GridLink current = grid_.links[link];
                     link = current.next;
                     uint32_t& last = recent[current.primitive % recent_size];
-                    if (last == current.primitive)
+                    if (last == current.primitive || !reaches(voxels, spheres_[current.primitive]))
                         continue;
                     last = current.primitive;
                     meet(current.primitive);
@@ -160,6 +187,7 @@ private:
     }
 
     const GridView<Real>& grid_;
+    std::span<const Sphere<Real>> spheres_;
     const RayPacket<Real>& rays_;
     int axis_ = 0;
     int across_[2] = {1, 2};

@@ -71,12 +71,11 @@ public:
             return;
         const Sphere<Real> sphere = scene_.geometry.spheres[id];
         const Real least = scene_.limits.min_half_chord2;
-        alignas(64) Real closest[lanes], half_chord2[lanes], power[lanes];
+        alignas(64) Real closest[lanes], half_chord2[lanes];
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const Approach<Real> met = approach(sphere, rays_.ray(lane));
             closest[lane] = met.closest;
             half_chord2[lane] = met.half_chord2;
-            power[lane] = met.power;
         }
         for (uint32_t first = 0; first < lanes; first += group) {
             uint32_t near = 0;
@@ -87,7 +86,8 @@ public:
             alignas(64) Real t[group];
             for (uint32_t i = 0; i < group; ++i) {
                 const uint32_t lane = first + i;
-                const Chord<Real> met = chord(Approach<Real>{closest[lane], half_chord2[lane], power[lane]});
+                const Real power = approach(sphere, rays_.ray(lane)).power; // of those that meet it alone
+                const Chord<Real> met = chord(Approach<Real>{closest[lane], half_chord2[lane], power});
                 t[i] = half_chord2[lane] > least ? met.beyond(rays_.nearest[lane]) : infinity<Real>;
             }
             consider(first, id, t);

@@ -8,7 +8,7 @@
 namespace proxima {
 
 bool Evaluator::Loop::goes_on(double value) const {
-    return step > 0 ? value < end + epsilon : value > end - epsilon;
+    return step > 0 ? value - end < epsilon : value - end > -epsilon; // a sum would round it away at large ends
 }
 
 /// Does what has to be done before the token under the cursor may be looked at. False when that is nothing.
@@ -191,7 +191,7 @@ void Evaluator::run_for(const Token& directive) {
     const SourceSpan declared = span(variable_name);
     separator();
     const double start = number();
-    Loop loop{.opener = &directive, .variable = variable};
+    Loop loop{.opener = &directive, .variable = variable, .start = start};
     separator();
     loop.end = number();
     if (accept(TokenKind::comma))

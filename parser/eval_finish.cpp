@@ -14,15 +14,16 @@ struct Albedos {
     bool phong = false;
     bool specular = false;
 
-    bool any() const { return diffuse || phong || specular; }
-    void fold_into(Finish& finish) const {
+    void fold_into(Moving<Finish>& moving) const {
+        Finish& finish = moving.record;
         if (diffuse)
-            finish.diffuse *= (finish.brilliance + 1) / 2;
+            moving.set(finish.diffuse, moving.get(finish.diffuse) * (moving.get(finish.brilliance) + 1) / 2);
         if (phong)
-            finish.phong *= (finish.phong_size + 1) / 2;
+            moving.set(finish.phong, moving.get(finish.phong) * (moving.get(finish.phong_size) + 1) / 2);
         if (specular) {
-            const double n = finish.inverse_roughness;
-            finish.specular = float(finish.specular * (n + 2) / (4 * (2 - std::pow(2.0, -n / 2))));
+            const Varying n = moving.get(finish.inverse_roughness);
+            const Varying part = 4 * (2 - apply(MotionOp::pow, 2, -n / 2));
+            moving.set(finish.specular, moving.get(finish.specular) * (n + 2) / part);
         }
     }
 };
@@ -32,7 +33,6 @@ struct Albedos {
 /// `finish { ... }` after its word; `base` is what the block changes.
 FinishRef Evaluator::finish(uint32_t base) {
     expect(TokenKind::left_brace);
-    const Token& start = peek();
     Moving<Finish> moving = builder_.finish(base);
     Finish& value = moving.record;
     if (const FinishRef* declared = identifier<FinishRef>()) {
@@ -81,11 +81,7 @@ FinishRef Evaluator::finish(uint32_t base) {
     }
     if (!accept(TokenKind::right_brace))
         fail_unexpected("a word of a finish (ambient, diffuse, phong, specular, reflection, ...) or '}'");
-    // The amounts of albedos are computed in float.
-    for (const FieldNode& number : moving.nodes)
-        if (albedos.any())
-            look_at(span(start), start, number.node);
-    albedos.fold_into(value);
+    albedos.fold_into(moving);
     return {builder_.add_finish(moving)};
 }
 

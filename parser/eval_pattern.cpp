@@ -2,7 +2,6 @@
 // Patterns with a colour map, as they stand in a pigment.
 #include "parser/evaluator.h"
 
-#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -41,15 +40,16 @@ constexpr NamedWave waves[] = {
 bool Evaluator::pattern_kind(PigmentValue& value) {
     if (accept(Word::gradient)) {
         const Token& at = peek();
-        const Vec3<double> axis = vector();
-        if (axis == Vec3<double>(0))
+        const Vec3<Varying> axis = moving_vector();
+        if (!decide(apply(MotionOp::greater, glm::length(axis), 0)))
             fail(at, "the axis of a gradient must have a length");
         value = {};
         value.pigment.record.kind = PigmentKind::gradient;
-        const Vec3<double> unit = glm::normalize(axis);
-        const bool mostly_x = std::abs(unit.x) > 0.5;
-        const Vec3<double> side = glm::normalize(glm::cross(Vec3<double>(!mostly_x, mostly_x, 0), unit));
-        const Vec3<double> other = glm::cross(unit, side);
+        const Vec3<Varying> unit = glm::normalize(axis);
+        const bool mostly_x = decide(apply(MotionOp::greater, apply(MotionOp::abs, unit.x), 0.5));
+        const Vec3<Varying> across(mostly_x ? 0.0 : 1.0, mostly_x ? 1.0 : 0.0, 0.0);
+        const Vec3<Varying> side = glm::normalize(glm::cross(across, unit));
+        const Vec3<Varying> other = glm::cross(unit, side);
         for (int i = 0; i < 3; ++i) // the axis becomes the x of the pattern's space
             value.pattern_from_world.linear[i] = Vec3<Varying>(unit[i], side[i], other[i]);
         return true;
@@ -119,15 +119,15 @@ ColorMapRef Evaluator::color_map() {
         const Token& at = peek();
         Moving<ColorStop> stop;
         ColorStop& entry = stop.record;
-        entry.value = float(number());
+        stop.set(entry.value, moving_number());
         accept(TokenKind::comma);
         if (!starts_color()) {
-            const float end = float(number());
-            accept(TokenKind::comma);
+            const Varying end = moving_number();
+            expect_color_word();
             set_color(stop, entry.color, color());
             stops.push_back(stop);
-            entry.value = end;
-            accept(TokenKind::comma);
+            stop.set(entry.value, end);
+            expect_color_word();
         }
         set_color(stop, entry.color, color());
         stops.push_back(stop);
@@ -141,10 +141,16 @@ ColorMapRef Evaluator::color_map() {
     return builder_.add_color_map(stops);
 }
 
+/// POV-Ray asks for it before each of two colors.
+void Evaluator::expect_color_word() {
+    if (!peek_is(Word::color) && !peek_is(Word::colour))
+        fail_unexpected("'color', before each of an entry's two colors");
+}
+
 /// Whether the last two stops, which may come together, follow those before.
 void Evaluator::check_rising(const Token& at, std::span<const Moving<ColorStop>> stops) const {
     for (size_t i = std::max<size_t>(stops.size(), 3) - 2; i < stops.size(); ++i)
-        if (stops[i]->value < stops[i - 1]->value)
+        if (decide(apply(MotionOp::less, stops[i].get(stops[i]->value), stops[i - 1].get(stops[i - 1]->value))))
             fail(at, fmt::format("the values of a color map must rise, {} stands behind {}", stops[i]->value,
                                  stops[i - 1]->value));
 }

@@ -60,6 +60,8 @@ bool Evaluator::pigment_map_item(PigmentValue& value, bool own_pattern) {
     pattern.first_stop = map.first;
     pattern.stop_count = map.count;
     // The map's pigments see the block's space, the kernel has points of the pattern's: a gradient's is turned.
+    for (int i = 0; i < 9; ++i)
+        look_at(span(word), word, value.pattern_from_world.linear[i / 3][i % 3].node);
     if (const Mat3<double> turn = value_of(value.pattern_from_world).linear; turn != Mat3<double>(1)) {
         const std::span all(builder_.program().color_stops);
         std::vector<Moving<ColorStop>> turned(all.begin() + map.first, all.begin() + map.first + map.count);

@@ -44,6 +44,7 @@ private:
         const Token* body = nullptr; ///< of #for, as are the variable, end and step
         Symbol variable = 0;
         uint64_t changes = 0; ///< changes_ when the body began
+        double start = 0;
         double end = 0;
         double step = 1;
         bool stopped = false; ///< after a mistake: ends at its #end
@@ -189,7 +190,9 @@ private:
     // eval_budget.cpp
     void charge(uint64_t bytes);
     void check_budget();
-    [[noreturn]] void fail_budget(std::string message);
+    [[noreturn]] void fail_budget(std::string message, const std::string& advice);
+    const Loop* costly_loop() const;
+    std::string advice();
 
     // eval_user_functions.cpp
     class FunctionReader; ///< function_reader.h
@@ -300,6 +303,7 @@ private:
     bool pattern_item(PigmentValue& value);
     void complete_pattern(PigmentValue& value);
     ColorMapRef color_map();
+    void expect_color_word();
     void check_rising(const Token& at, std::span<const Moving<ColorStop>> stops) const;
 
     // eval_pigment_map.cpp

@@ -76,6 +76,10 @@ template <class Record> struct Moving {
     template <class Place, class Value> void set(Place& place, const Value& value) { nodes.put(&record, place, value); }
     bool moves(const float& place) const { return nodes.at(offset_of(&record, &place)) != 0; }
 
+    Varying get(const float& place) const { // rounded, as the record has it
+        const NodeId node = nodes.at(offset_of(&record, &place));
+        return {double(place), node ? recorded(MotionOp::single, {double(place), node}) : 0};
+    }
     Varying get(const double& place) const { return {place, nodes.empty() ? 0 : nodes.at(offset_of(&record, &place))}; }
     Vec3<Varying> get(const Vec3<double>& place) const { return {get(place.x), get(place.y), get(place.z)}; }
     Affine<Varying> get(const Affine<double>& place) const {

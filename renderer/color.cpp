@@ -4,6 +4,7 @@
 #include "parser/source_files.h"
 #include "renderer/color_config.h"
 #include "renderer/errors.h"
+#include "renderer/level_curve.h"
 
 #include <algorithm>
 #include <atomic>
@@ -112,6 +113,18 @@ ColorPath color_path(const ColorConfig& config, const ColorSettings& settings) {
     return path;
 }
 
+/// Whether a conversion is made of steps that keep the order of numbers, or turn it around, channel by channel.
+bool is_monotone(const OCIO::ConstProcessorRcPtr& processor) {
+    const OCIO::GroupTransformRcPtr steps = processor->createGroupTransform();
+    for (int i = 0; i < steps->getNumTransforms(); ++i) {
+        const OCIO::TransformType type = steps->getTransform(i)->getTransformType();
+        if (type != OCIO::TRANSFORM_TYPE_EXPONENT && type != OCIO::TRANSFORM_TYPE_EXPONENT_WITH_LINEAR &&
+            type != OCIO::TRANSFORM_TYPE_MATRIX)
+            return false;
+    }
+    return true;
+}
+
 /// Applies `change` to the samples whose magnitude is above `limit` or is no number, in parallel. Returns how many
 /// there were. Hardly ever there is one: blocks are first looked through as integers, which keep the order of
 /// magnitudes, and which the compiler compares many at once.
@@ -139,6 +152,7 @@ template <class Change> uint64_t change_beyond(Image& image, float limit, const 
 
 struct ColorTransform::Implementation {
     OCIO::ConstCPUProcessorRcPtr processor; ///< null: nothing to do
+    std::optional<LevelCurve> curve;        ///< the same for files of 8 bits
     FileColors file;
     std::string identity;
 };
@@ -152,9 +166,14 @@ ColorTransform::ColorTransform(const ColorSettings& settings) : implementation_(
     const ColorConfig config = load_color_config(settings);
     const ColorPath path = color_path(config, settings);
     try {
-        implementation_->processor =
-            config.config->getProcessor(path.steps)
-                ->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, optimization);
+        const auto steps = config.config->getProcessor(path.steps)->getOptimizedProcessor(optimization);
+        const auto processor = steps->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, optimization);
+        implementation_->processor = processor;
+        if (is_monotone(steps) && !processor->hasChannelCrosstalk())
+            implementation_->curve = LevelCurve::of([&](std::span<float> rgb) {
+                OCIO::PackedImageDesc pixels(rgb.data(), long(rgb.size() / 3), 1, 3);
+                processor->apply(pixels);
+            });
     } catch (const OCIO::Exception& error) {
         throw FileError(fmt::format("{}: {}: {}", config.name, path.description, error.what()));
     }
@@ -181,6 +200,17 @@ void ColorTransform::apply(Image& image) const {
                                     long(rows.size()), 3);
         implementation_->processor->apply(slice);
     });
+}
+
+bool ColorTransform::to_levels(Image& image) const {
+    if (!implementation_->curve)
+        return false;
+    image.levels.resize(image.rgb.size());
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, image.rgb.size() / 3, 1 << 14), [&](const auto& pixels) {
+        const size_t first = pixels.begin() * 3, count = pixels.size() * 3;
+        implementation_->curve->apply({image.rgb.data() + first, count}, {image.levels.data() + first, count});
+    });
+    return true;
 }
 
 uint64_t replace_non_finite(Image& image) {

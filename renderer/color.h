@@ -50,6 +50,10 @@ public:
     /// Replaces the rendered numbers, rows in parallel. Values are not clipped.
     void apply(Image& image) const;
 
+    /// Fills `image.levels` with what apply() and quantize() would give for a file of 8 bits; `image` holds finite
+    /// numbers, which stay. False, and nothing done, where the conversion is more than a curve for each channel.
+    bool to_levels(Image& image) const;
+
     const FileColors& file() const;
 
     /// A name for what happens to colours: equal names, equal results. It does not say where the configuration is.

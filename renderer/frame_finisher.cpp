@@ -25,7 +25,7 @@ FrameFinisher::FrameFinisher(const RenderOptions& options)
 void FrameFinisher::start(Progress& progress, RunWatch watch) {
     progress_ = &progress;
     watch_ = watch;
-    encoder_.emplace();
+    encoder_.emplace(options_.output->format());
 }
 
 void FrameFinisher::show_kept(const std::vector<AuditedFrame>& frames) {
@@ -74,6 +74,8 @@ void FrameFinisher::prepare(FinishedFrame& frame) {
         return;
     }
     frame.record.replaced_samples = replace_non_finite(frame.image);
+    if (options_.type == SampleType::uint8 && !options_.dither && color_.to_levels(frame.image))
+        return;
     color_.apply(frame.image);
     if (options_.type == SampleType::half)
         frame.record.clamped_samples = clamp_to_half(frame.image);

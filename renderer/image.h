@@ -33,6 +33,7 @@ struct Image {
     uint32_t height = 0;
     std::vector<float> rgb;         ///< width * height * 3, unless there are halves
     std::vector<uint16_t> halves{}; ///< the same as bits of half-floats, finite ones
+    std::vector<uint8_t> levels{};  ///< of a file with 8 bits, where colour conversion makes them at once
     std::vector<AovSample> aovs{};  ///< one a pixel, or none at all
     PageLock lock{};                ///< of the samples
 

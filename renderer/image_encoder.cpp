@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// It encodes into memory: OpenImageIO 2.4's PNG writer does not notice a full disk, and its JPEG writer ends the
-// process on one.
+// It encodes into memory: OpenImageIO 2.4's JPEG writer ends the process on a full disk.
 #include "renderer/image_encoder.h"
 #include "renderer/image_header.h"
 #include "renderer/layered_pixels.h"

@@ -26,11 +26,14 @@ struct ImageFacts {
     std::optional<FrameRate> rate{}; ///< of an animation
     /// Of the camera, row by row, for vectors that stand to the left; see camera_matrices.h.
     std::optional<std::array<float, 16>> world_to_camera{}, world_to_ndc{};
+
+    /// For formats that know texts alone.
+    std::string sentence() const { return "frame " + std::to_string(frame) + " of " + scene + ", hash " + hash; }
 };
 
 /// A picture in the form that the file keeps, three channels, rows from top to bottom.
 struct EncodeRequest {
-    ImageFormat format = ImageFormat::png;
+    ImageFormat format = ImageFormat::png; ///< see png_file.h for this one
     SampleType type = SampleType::uint8;
     Compression compression = Compression::zip; ///< of EXR
     uint32_t width = 0;
@@ -42,7 +45,7 @@ struct EncodeRequest {
     ImageFacts facts{};
 };
 
-/// The file's bytes. The same request gives the same bytes. Throws std::runtime_error.
+/// The file's bytes, of any format but PNG. The same request gives the same bytes. Throws std::runtime_error.
 using EncodeImage = std::vector<unsigned char>(const EncodeRequest& request);
 
 /// Makes a file of many pictures, one after the other.

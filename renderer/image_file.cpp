@@ -3,6 +3,7 @@
 #include "parser/source_files.h"
 #include "renderer/image_decoder.h"
 #include "renderer/image_module.h"
+#include "renderer/png_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -52,20 +53,28 @@ std::string first_line(std::string_view text) {
 } // namespace
 
 std::vector<uint8_t> quantize_to_bytes(const Image& image, bool dither) {
-    return quantize_all<uint8_t>(image, dither);
+    return image.levels.empty() ? quantize_all<uint8_t>(image, dither) : image.levels;
 }
 
-ImageEncoder::ImageEncoder()
-    : functions_(std::async(std::launch::async, [] {
+ImageEncoder::ImageEncoder(ImageFormat format)
+    : functions_(std::async(format == ImageFormat::png ? std::launch::deferred : std::launch::async, [] {
                      return Functions{image_module_function<EncodeImage>(encoder_function),
                                       image_module_function<MakeSequenceEncoder>(sequence_encoder_function)};
                  }).share()) {}
 
+EncodeImage* ImageEncoder::encoder_of(ImageFormat format) {
+    return format == ImageFormat::png ? encode_png : functions_.get().encode;
+}
+
 std::vector<unsigned char> ImageEncoder::encode(const Image& image, const ImageFileSettings& settings) {
     EncodeRequest request = request_for(image.width, image.height, settings);
-    EncodeImage* const encode = functions_.get().encode;
+    EncodeImage* const encode = encoder_of(settings.format);
     switch (settings.type) {
     case SampleType::uint8: {
+        if (!image.levels.empty()) {
+            request.samples = image.levels.data();
+            return encode(request);
+        }
         const auto samples = quantize_to_bytes(image, settings.dither);
         request.samples = samples.data();
         return encode(request);

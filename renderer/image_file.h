@@ -30,17 +30,18 @@ struct ImageFileSettings {
 };
 
 /// The levels of all samples at 8 bits. With `dither` each is rounded up or down by chance, so that areas keep their
-/// mean; the chance depends on the sample's place alone.
+/// mean; the chance depends on the sample's place alone. Those that the image has already are taken as they are.
 std::vector<uint8_t> quantize_to_bytes(const Image& image, bool dither = false);
 
-/// The encoder module, loaded on a thread of its own from the program's folder (or the library path).
+/// What makes files. PNG needs nothing more; the others are made by the image module (image_module.h).
 class ImageEncoder {
 public:
-    /// Starts loading and returns.
-    ImageEncoder();
+    /// Starts to load what files of `format` need, on a thread of its own, and returns.
+    explicit ImageEncoder(ImageFormat format = ImageFormat::png);
 
-    /// The file's bytes. `image` holds finite numbers, for half none beyond 65504. Waits for the module. Throws
-    /// FileError when the module cannot be loaded, std::runtime_error when the picture cannot be encoded.
+    /// The file's bytes, of any format. `image` holds finite numbers, for half none beyond 65504. Waits for the module
+    /// where the format needs it. Throws FileError when the module cannot be loaded, std::runtime_error when the
+    /// picture cannot be encoded.
     std::vector<unsigned char> encode(const Image& image, const ImageFileSettings& settings);
 
     /// What makes one file of many pictures of this size, 8 bits a channel. Throws as encode.
@@ -52,6 +53,8 @@ private:
         EncodeImage* encode;
         MakeSequenceEncoder* make_sequence;
     };
+    EncodeImage* encoder_of(ImageFormat format);
+
     std::shared_future<Functions> functions_;
 };
 

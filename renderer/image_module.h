@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands between the program and OpenImageIO, which brings 260 libraries with it: they cost a quarter of a second
 // and 130 MB to load. They stay in a module of their own (image_encoder.cpp, image_decoder.cpp) that is loaded when the
-// first picture is written or read.
+// first picture is read, or the first that is not a PNG written.
 #pragma once
 
 namespace proxima {

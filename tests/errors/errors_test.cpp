@@ -65,6 +65,8 @@ TEST_CASE("errors: every wrong scene is refused with its message") {
 TEST_CASE("errors: wrong command lines and files end with their documented code and leave nothing behind") {
     const TemporaryFolder folder;
     std::ofstream(folder.path / "good.scn") << "camera { location <0, 0, -3> look_at 0 }\nsphere { 0, 1 }\n";
+    std::ofstream(folder.path / "loop.scn") << "camera { location <0, 0, -3> look_at 0 }\n"
+                                               "#for (I, 1, 1000000) sphere { <I, clock, 0>, 1 } #end\n";
     fs::create_directory(folder.path / "folder.png");
     fs::create_directory(folder.path / "folder.scn");
 
@@ -81,6 +83,7 @@ TEST_CASE("errors: wrong command lines and files end with their documented code 
         {{"render", "no_such.scn"}, 3, "no_such.scn"},
         {{"render", "-"}, 2, "-o OUT"},
         {{"check", "good.scn", "--max-steps", "0"}, 2, "--max-steps"},
+        {{"check", "loop.scn", "--max-steps", "1"}, 1, "of its 1000000 rounds are done; --max-steps "},
         {{"check", "good.scn", "--max-memory", "much"}, 2, "--max-memory"},
         {{"check", "good.scn", "--max-seconds", "0"}, 2, "--max-seconds"},
         {{"render", "folder.scn"}, 3, "folder.scn"},

@@ -53,6 +53,9 @@ TEST_CASE("directives: #switch takes the first case that fits and falls through 
 TEST_CASE("directives: #for includes its end and adds up its step") {
     CHECK(trace("#for (I, 1, 4) sphere { I, 1 } #end") == "1 2 3 4");
     CHECK(trace("#for (I, 3, 1, -1) sphere { I, 1 } #end") == "3 2 1");
+    CHECK(trace("#for (I, 9999999, 10000000) sphere { I - 9999990, 1 } #end") == "9 10");
+    CHECK(trace("#for (I, -9999999, -10000000, -1) sphere { I + 9999990, 1 } #end") == "-9 -10");
+    CHECK(trace("#for (I, 0.99e-10, 0) sphere { 1, 1 } #end #for (J, 1e-10, 0) sphere { 2, 1 } #end") == "1");
     CHECK(trace("#for (I, 3, 1) sphere { I, 1 } #end") == "");
     CHECK(trace("#for (I, 0, 1, 0.1) sphere { 10*I + 0.5, 1 } #end") == "0 1 2 3 4 5 6 7 8 9 10");
     CHECK(trace("#for (I, 1, 3) #declare I = I + 1; sphere { I, 1 } #end") == "2 4");

@@ -22,6 +22,39 @@ TEST_CASE("limits: other endless loops end at the step limit, which names the lo
     CHECK(error_of("#for (I, 0, 1e12) #end", settings) == "the scene takes more than 100000 steps to evaluate");
 }
 
+TEST_CASE("limits: who needs more steps is told how far the loop came and how many will do") {
+    const std::string scene = "#declare N = 0;\n"
+                              "#for (I, 1, 20000)\n"
+                              "  #for (J, 1, 3) sphere { <I, J, sin(clock + J)>, 0.1 } #end\n"
+                              "#end\n";
+    EvaluationSettings settings;
+    settings.record_motion = true;
+    settings.budget.steps = 1'000'000;
+    const std::string said = evaluate(scene, settings).messages;
+    CHECK(said.find("scene:2:1: error: the scene takes more than 1 million steps to evaluate") == 0);
+    const auto number_behind = [&](const std::string& words) {
+        const size_t place = said.find(words);
+        REQUIRE_MESSAGE(place != std::string::npos, said);
+        return std::stoull(said.substr(place + words.size()));
+    };
+    CHECK(number_behind("does this loop end? ") > 1000);
+    CHECK(said.find(" of its 20000 rounds are done; --max-steps ") != std::string::npos);
+    const uint64_t enough = number_behind("--max-steps ");
+    CHECK(enough < 10);
+    settings.budget.steps = enough * 1'000'000;
+    CHECK(evaluate(scene, settings).scene.spheres.size() == 60'000);
+
+    // Where no end is in sight, none is promised.
+    settings.budget.steps = 100'000;
+    for (const char* endless : {"#declare I = 0; #while (1) #declare I = I + 1; #end", "#for (I, 0, 1e12) #end",
+                                "#for (I, 1, 9) #declare J = 0; #while (1) #declare J = J + 1; #end #end"}) {
+        const std::string message = evaluate(endless, settings).messages;
+        CAPTURE(message);
+        CHECK(message.find("does this loop end? ") != std::string::npos);
+        CHECK(message.find("should do") == std::string::npos);
+    }
+}
+
 TEST_CASE("limits: nesting of every kind ends in a message") {
     const auto repeat = [](const std::string& text, int count) {
         std::string result;

@@ -93,6 +93,7 @@ TEST_CASE("motion: a random expression says the same by its program and by the s
     MESSAGE(tally);
     CHECK(tally.obstacles < cases() / 50); // too long for a program
     CHECK(tally.moved > cases());
+    CHECK(tally.refused < cases() / 50); // or its texts are not what they are meant to be
 }
 
 TEST_CASE("motion: a random script says the same by its programs and evaluated again") {
@@ -105,4 +106,5 @@ TEST_CASE("motion: a random script says the same by its programs and evaluated a
     CHECK(tally.moved > cases() / 5);
     CHECK(tally.splines > cases() / 5);
     CHECK(tally.obstacles > 0);
+    CHECK(tally.refused < cases() / 50);
 }

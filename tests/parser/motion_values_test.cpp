@@ -54,6 +54,38 @@ TEST_CASE("motion values: splines of every kind are looked up by the time") {
     check_programs("#declare S = spline { 0, 1 2, 3 } sphere { <S(clock).x, S(clock).y, 0>, 1 }");
 }
 
+TEST_CASE("motion values: places of a color map, axes of gradients and albedos follow from the time") {
+    const auto on_sphere = [](const std::string& surface) { check_programs("sphere { 0, 1 " + surface + " }"); };
+    on_sphere(
+        "pigment { gradient y color_map { [0.1*clock rgb 0] [0.5+0.1*clock, 0.9 color rgb x color rgb y*clock] [1 rgb 1] } }");
+    on_sphere("pigment { leopard color_map { [0 rgb 0] [0.2+clock*clock/99 rgb x] [1.5 rgb 1] } }");
+    on_sphere("pigment { gradient <1, 0.3*clock, 0.2> color_map { [0 rgb 0] [1 rgb 1] } translate clock*x }");
+    on_sphere("pigment { gradient <0.2, 3+0.3*clock, 0.2> rotate 9*clock }");
+    on_sphere("finish { diffuse albedo 0.3+0.1*sin(clock) brilliance 2+cos(clock) }");
+    on_sphere(
+        "finish { phong albedo 0.5 phong_size 20+clock specular albedo 0.1*clock*clock roughness 0.01+clock*clock }");
+    check_programs("#declare F = finish { diffuse 0.1*clock brilliance 1.5+clock/7 specular clock/3 }\n"
+                   "sphere { 0, 1 finish { F diffuse albedo 0.7 } } sphere { 0, 1 finish { F specular albedo 0.25 } }\n"
+                   "#declare M = color_map { [clock/9 rgb 0] [1 rgb <1, clock, 0>] }\n"
+                   "sphere { 0, 1 pigment { radial color_map { M } } }");
+}
+
+TEST_CASE("motion values: an order or a side that changes is left to the script") {
+    const auto left_at = [](const std::string& text, double clock) {
+        SceneProgram scene = scene_of(text, settings_at(0.25, true));
+        CHECK(!scene.obstacle);
+        return !move(scene, {clock, 8 * clock + 1, 0.125});
+    };
+    const std::string map = "sphere { 0, 1 pigment { gradient y color_map { [clock rgb 0] [0.5 rgb 1] } } }";
+    CHECK_FALSE(left_at(map, 0.5));
+    CHECK(left_at(map, 0.625)); // where it says that the values must rise
+    CHECK(error_of(map, settings_at(0.625, false)) == "the values of a color map must rise, 0.5 stands behind 0.625");
+    const std::string axis = "sphere { 0, 1 pigment { gradient <clock, 1, 0> } }";
+    CHECK_FALSE(left_at(axis, 0.5));
+    CHECK(left_at(axis, 0.75)); // another vector stands beside it then
+    CHECK(left_at("sphere { 0, 1 pigment { gradient (clock - 0.5)*x } }", 0.5));
+}
+
 TEST_CASE("motion values: a spline that goes on from another one is another one") {
     check_programs("#declare S = spline { natural_spline 0, x 1, y 2, z }\n"
                    "sphere { S(clock), 1 }\n"

@@ -64,6 +64,14 @@ TEST_CASE("patterns: mistakes") {
     CHECK(error_of("sphere { 0, 1 pigment { onion color_map { } } }") == "unexpected '}'");
     CHECK(error_of("sphere { 0, 1 pigment { onion color_map { [0.5 rgb 1] [0.2 rgb 0] } } }") ==
           "the values of a color map must rise, 0.2 stands behind 0.5");
+    const auto error_of_entry = [](const std::string& entry) {
+        return error_of("sphere { 0, 1 pigment { onion color_map { [" + entry + "] } } }");
+    };
+    CHECK(error_of_entry("0, 1 color rgb 1 color rgb 0") == "");
+    CHECK(error_of_entry("0, 1 rgb 1 rgb 0") == "unexpected 'rgb'");
+    CHECK(error_of_entry("0, 1 color rgb 1 rgb 0") == "unexpected 'rgb'");
+    CHECK(error_of_entry("0, 1 color rgb 1, color rgb 0") == "unexpected ','");
+    CHECK(error_of_entry("0, 1, color rgb 1 color rgb 0") == "unexpected ','");
     CHECK(error_of("sphere { 0, 1 pigment { rgb 1 frequency 2 } }") == "unexpected 'frequency'");
     CHECK(error_of("sphere { 0, 1 pigment { onion turbulence 1 } }") == "Proxima does not support 'turbulence'");
 }

@@ -56,10 +56,38 @@ std::string RandomScript::function_body(int depth) {
     }
 }
 
+/// Of an array's dimension: a number, or what follows from the variable of the loop around.
+std::string RandomScript::index(uint32_t size) {
+    if (loop_.empty() || chance(0.3))
+        return std::to_string(below(size));
+    return fmt::format("mod({}+{}, {})", loop_, below(size), size);
+}
+
+std::string RandomScript::element() {
+    return chance(0.5) ? fmt::format("D[{}]", index(3)) : fmt::format("E[{}][{}]", index(2), index(3));
+}
+
+/// Macros that stand for numbers and vectors, and arrays of numbers, vectors and functions: before anything has a name
+/// that a macro's parameter or a function's has.
 std::string RandomScript::declarations() {
-    return fmt::format("#declare R = seed({});\n#declare S0 = {}\n#declare S1 = {}\n"
-                       "#declare F0 = function(A, B) {{ {} }}\n#declare F1 = function(A, B) {{ {} + F0(B, A) }}\n",
-                       below(1000), spline(), spline(), function_body(3), function_body(2));
+    std::string text =
+        fmt::format("#declare R = seed({});\n#declare S0 = {}\n#declare S1 = {}\n", below(1000), spline(), spline());
+    text += fmt::format("#declare F0 = function(A, B) {{ {} }}\n#declare F1 = function(A, B) {{ {} + F0(B, A) }}\n",
+                        function_body(3), function_body(2));
+    const std::string in_time = fmt::format("{:.3f}*clock", double(below(4000)) / 1000 - 1);
+    text += fmt::format("#declare D = array[3] {{ {}, {}, 1 }}\n"
+                        "#declare E = array[2][3] {{ {{ 2, {}, {} }}, {{ {}, 0.5, clock }} }}\n"
+                        "#declare W = array[2] {{ <{}, 1, {}>, <2, clock, {}> }}\n",
+                        in_time, constant(), constant(), in_time, constant(), in_time, constant(), constant());
+    text += fmt::format("#declare F2 = function {{ x*D[0] + y*E[1][2] - z*({}) }}\n"
+                        "#declare H = array[2] {{ F0, F1 }}\n",
+                        in_time);
+    return text +
+           fmt::format("#macro Mixed(P, Q) ({}*P + clock*Q) #end\n"
+                       "#macro Sum(Count, P) (#if (Count > 0) P + Sum(Count - 1, P*0.5 + {}) #else P #end) #end\n"
+                       "#macro Beside(P, Q) <P.x, Q, P.z*clock> #end\n"
+                       "#macro Raise(P) #declare P = P*0.5 + {}; #end\n",
+                       constant(), in_time, in_time);
 }
 
 std::string RandomScript::number(int depth) {
@@ -82,7 +110,7 @@ std::string RandomScript::number(int depth) {
         }
     }
     const auto inner = [&] { return number(depth - 1); };
-    switch (below(16)) {
+    switch (below(22)) {
     case 0:
     case 1:
     case 2:
@@ -115,6 +143,18 @@ std::string RandomScript::number(int depth) {
                            one_of({".x", ".y", ".z"}));
     case 14:
         return fmt::format("{}({},{})", name("F", 2), inner(), inner());
+    case 16:
+        return element();
+    case 17:
+        return fmt::format("W[{}]{}", index(2), one_of({".x", ".y", ".z"}));
+    case 18:
+        return fmt::format("Mixed({}, {})", inner(), inner());
+    case 19:
+        return fmt::format("Sum({}, {})", below(4), inner());
+    case 20:
+        return fmt::format("F2({}, {}, {})", inner(), inner(), inner());
+    case 21:
+        return fmt::format("H[{}]({}, {})", index(2), inner(), inner());
     default:
         return fmt::format("{}{}", one_of({"vlength(", "vlength(2*"}), vector(depth - 1) + ")");
     }
@@ -123,7 +163,7 @@ std::string RandomScript::number(int depth) {
 std::string RandomScript::vector(int depth) {
     if (depth <= 0 && vectors_ > 0 && chance(0.5))
         return name("V", vectors_);
-    switch (depth <= 0 ? 0 : below(9)) {
+    switch (depth <= 0 ? 0 : below(11)) {
     case 0:
     case 1:
     case 2:
@@ -138,6 +178,10 @@ std::string RandomScript::vector(int depth) {
         return fmt::format("{}({})", name("S", 2), number(depth));
     case 7:
         return fmt::format("vnormalize({}+<0,7,0.1>)", vector(depth - 1));
+    case 9:
+        return fmt::format("W[{}]", index(2));
+    case 10:
+        return fmt::format("Beside({}, {})", vector(depth - 1), number(depth - 1));
     default:
         return fmt::format("vaxis_rotate({},{}+<3,0,0>,{})", vector(depth - 1), vector(depth - 1), number(depth));
     }
@@ -176,11 +220,12 @@ std::string RandomScript::surface() {
     case 2:
         return fmt::format(" pigment {{ checker {} {} {} }}", color(), color(), transform());
     case 3:
-        return fmt::format(" finish {{ diffuse abs({}) phong {} reflection {{ {} }} }}", number(1), constant(),
-                           color());
+        return fmt::format(" finish {{ diffuse {} abs({}) phong {} {} brilliance abs({})+1 reflection {{ {} }} }}",
+                           one_of({"", "albedo"}), number(1), one_of({"", "albedo"}), constant(), number(1), color());
     case 4:
-        return fmt::format(" pigment {{ gradient y color_map {{ [0 {}] [1 {}] }} phase {} {} }}", color(), color(),
-                           number(1), transform());
+        return fmt::format(
+            " pigment {{ gradient {}+3*y color_map {{ [0 {}] [0.4+0.1*sin({}) {}] [1 {}] }} phase {} {} }}", vector(1),
+            color(), number(1), color(), color(), number(1), transform());
     default:
         return " texture { T }";
     }
@@ -207,7 +252,7 @@ std::string RandomScript::object(int depth) {
 }
 
 std::string RandomScript::statement(bool control, int depth) {
-    switch (below(depth > 0 ? 14 : 9)) {
+    switch (below(depth > 0 ? 19 : 9)) {
     case 0:
     case 1: {
         const std::string value = number();
@@ -247,6 +292,21 @@ std::string RandomScript::statement(bool control, int depth) {
         std::string text = control ? fmt::format("#if {}\n", condition()) : "#if (rand(R) < 0.5)\n";
         return text + object(1) + "\n#else\n" + object(1) + "\n#end\n";
     }
+    case 14: {
+        const std::string value = number();
+        return fmt::format("#declare {} = {};\n", element(), value);
+    }
+    case 15: {
+        const std::string value = vector();
+        return fmt::format("#declare W[{}] = {};\n", index(2), value);
+    }
+    case 16: // changes what it is given
+        return numbers_ > 0 && chance(0.5) ? fmt::format("Raise({})\n", name("N", numbers_))
+                                           : fmt::format("Raise({})\n", element());
+    case 17:
+        return fmt::format("Row({}, {})\n", vector(), number(1));
+    case 18:
+        return fmt::format("sphere {{ W[{}], abs({})+0.1 }}\n", index(2), element());
     default:
         return fmt::format("{}\n", sphere());
     }
@@ -259,6 +319,8 @@ std::string RandomScript::scene(bool control) {
                        "#declare A = array[3] {clock, 2, 3+clock}\n"
                        "#declare T = texture { pigment { rgb 1 } }\n"
                        "#macro Ball(P, Q) #local L = Q*2; sphere { P, abs(L)+0.1 translate L*y } #end\n"
+                       "#macro Row(P, Q) #local L = array[3] { Q, Q*clock, 2 } #for (K, 0, 2) "
+                       "sphere { P + K*x*L[K], abs(L[2 - K]) + 0.1 } #end #end\n"
                        "#declare N99 = 1; #declare V99 = x;\n";
     for (int i = 0; i < 8; ++i)
         text += statement(control, 2);

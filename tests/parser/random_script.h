@@ -12,7 +12,7 @@ class RandomScript {
 public:
     explicit RandomScript(uint64_t seed) : random_(seed) {}
 
-    /// Declares what numbers and vectors may ask for: the random numbers R, splines and functions.
+    /// Declares what numbers and vectors may ask for: the random numbers R, splines, functions, arrays and macros.
     std::string declarations();
     /// A number, of names that are declared.
     std::string number(int depth = 3);
@@ -29,6 +29,8 @@ private:
         return words.begin()[below(uint32_t(words.size()))];
     }
     std::string condition();
+    std::string index(uint32_t size);
+    std::string element();
     std::string spline();
     std::string function_body(int depth);
     std::string transform();

@@ -4,7 +4,9 @@
 #include "renderer/errors.h"
 #include "renderer/image_file.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -38,6 +40,10 @@ struct ConfigFile {
     }
     ~ConfigFile() { std::filesystem::remove(path); }
 };
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    return text.replace(text.find(what), what.size(), by);
+}
 
 /// A configuration with one view, which halves the light.
 std::string halving_config(const std::string& view) {
@@ -113,6 +119,66 @@ TEST_CASE("color: a linear picture gives POV-Ray's levels") {
     CHECK(worst_8 <= 1);
     CHECK(worst_16 <= 1);
     CHECK(double(off_by_one_8) <= 1e-4 * double(image.rgb.size()));
+}
+
+namespace {
+
+/// Numbers of all sizes, with those at which a level ends: the floats on both sides of each change that halving finds.
+std::vector<float> numbers_around_levels(const ColorTransform& color) {
+    std::vector<float> numbers{0.0f,
+                               -0.0f,
+                               -1.0f,
+                               65504.0f,
+                               std::numeric_limits<float>::max(),
+                               -std::numeric_limits<float>::max(),
+                               std::numeric_limits<float>::denorm_min()};
+    for (uint32_t bits = 0; bits < 0x7f800000; bits += 99'991)
+        numbers.push_back(std::bit_cast<float>(bits));
+    const auto level = [&](uint32_t bits) {
+        Image image{1, 1, std::vector<float>(3, std::bit_cast<float>(bits))};
+        color.apply(image);
+        return quantize<uint8_t>(image.rgb[1], 255);
+    };
+    for (int wanted = 1; wanted < 256; wanted += 6) {
+        uint32_t low = 0, high = 0x7f7fffff;
+        while (low < high) {
+            const uint32_t middle = low + (high - low) / 2;
+            (level(middle) >= wanted ? high : low) = level(middle) >= wanted ? middle : middle + 1;
+        }
+        for (uint32_t near = low - std::min(low, 40u); near < low + 40; ++near)
+            numbers.push_back(std::bit_cast<float>(near));
+    }
+    numbers.resize(numbers.size() / 3 * 3);
+    return numbers;
+}
+
+} // namespace
+
+TEST_CASE("color: levels that are made at once are those of the conversion") {
+    const ConfigFile halving("proxima-half-levels.ocio", halving_config("half"));
+    const ConfigFile turning("proxima-turned-levels.ocio", replaced(halving_config("half"), "[0.5,", "[-0.5,"));
+    for (const ColorSettings& settings :
+         {untoned, ColorSettings{.display = "Rec.1886 Rec.709", .view = "Un-tone-mapped"},
+          ColorSettings{.config = halving.path}, ColorSettings{.space = "Raw", .target = ColorTarget::space}}) {
+        CAPTURE(settings.display);
+        const ColorTransform color(settings);
+        Image image{1, 1, numbers_around_levels(color)};
+        image.width = uint32_t(image.rgb.size() / 3);
+        REQUIRE(color.to_levels(image));
+        Image expected = image;
+        expected.levels.clear();
+        color.apply(expected);
+        CHECK(image.levels == quantize_to_bytes(expected));
+        CHECK(quantize_to_bytes(image) == image.levels);
+    }
+    // Where channels mix, or numbers change their order, there is no such way.
+    for (const ColorSettings& settings :
+         {ColorSettings{.view = "ACES 1.0 - SDR Video"}, ColorSettings{.working_space = WorkingSpace::acescg},
+          ColorSettings{.config = turning.path}}) {
+        Image image{1, 1, {0.25f, 0.5f, 0.75f}};
+        CHECK_FALSE(ColorTransform(settings).to_levels(image));
+        CHECK(image.levels.empty());
+    }
 }
 
 TEST_CASE("color: levels are rounded as POV-Ray rounds them") {

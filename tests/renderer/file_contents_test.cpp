@@ -38,6 +38,21 @@ OIIO::ImageSpec spec_of(const Workplace& work, const std::string& file) {
 
 } // namespace
 
+TEST_CASE("files: a PNG needs the program alone, other formats its image module") {
+    const Workplace work("without_module_test");
+    fs::create_directory(work.folder / "bin");
+    fs::copy_file(PROXIMA_PROGRAM, work.folder / "bin/proxima");
+    const auto render = [&](const char* file) {
+        return run_process({"bin/proxima", "render", "still.scn", "-o", file, "--size", "32x24", "--device", "cpu"},
+                           work.folder, 120);
+    };
+    CHECK(render("a.png").exit_code == 0);
+    CHECK(spec_of(work, "a.png").width == 32);
+    const ProcessResult failed = render("a.exr");
+    CHECK(failed.exit_code == 3);
+    CHECK(says(failed.standard_error, "the image module cannot be loaded"));
+}
+
 TEST_CASE("files: every view has its golden levels at every depth") {
     const Workplace work("file_contents_test");
     work.write("flat.scn", flat_scene);

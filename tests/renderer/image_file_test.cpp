@@ -11,6 +11,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <random>
 
 using namespace proxima;
 
@@ -114,6 +115,33 @@ TEST_CASE("image file: PNG says how its colours are encoded") {
     CHECK(space("sRGB") == "sRGB");
     CHECK(space("Linear") == "Linear");
     CHECK(space("Gamma2.4") == "Gamma2.4");
+}
+
+TEST_CASE("image file: PNG keeps every level of pictures of any size, smooth or noisy") {
+    std::minstd_rand random(5);
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {1u, 300u}, {300u, 1u}, {7u, 5u}, {613u, 401u}})
+        for (const bool is_noisy : {false, true})
+            for (const SampleType type : {SampleType::uint8, SampleType::uint16}) {
+                CAPTURE(width);
+                CAPTURE(height);
+                CAPTURE(is_noisy);
+                Image image = gradient(width, height);
+                for (float& value : image.rgb)
+                    value = is_noisy ? float(random() % 65536) / 65535.0f : value;
+                const ReadBack file = write_and_read(image, {.type = type}, "any.png");
+                const double most = type == SampleType::uint8 ? 255 : 65535;
+                size_t off = 0;
+                for (size_t i = 0; i < image.rgb.size(); ++i)
+                    off += file.levels[i] != std::floor(double(image.rgb[i]) * most + 0.5) * 65535 / most;
+                CHECK(off == 0);
+            }
+}
+
+TEST_CASE("image file: levels that an image has already are those of its file") {
+    Image image = gradient(3, 2);
+    image.levels.assign(18, 200);
+    const ReadBack file = write_and_read(image, {}, "levels.png");
+    CHECK(file.levels == std::vector<uint16_t>(18, 200 * 257));
 }
 
 TEST_CASE("image file: every format can be read whatever its colours are called") {
