@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three passes of first_hit.h in one, for processors with few cores and vector instructions: a tile of pixels,
+// What first_hit.h does, for processors with few cores and vector instructions: a tile of pixels,
 // whose rays go through the grid as a packet, and their shadow rays as one packet for each light. The same pictures,
 // bit for bit.
 #pragma once

@@ -67,9 +67,13 @@ template <class Real> struct Chord {
 
 /// How a ray comes near a sphere.
 template <class Real> struct Approach {
+    Vec3<Real> from_center; ///< the ray's origin
+    Real radius2;
     Real closest;     ///< distance along the ray to its closest point
     Real half_chord2; ///< negative when it misses
-    Real power;       ///< of the ray's origin: its squared distance from the centre less the squared radius
+
+    /// Of the ray's origin: its squared distance from the centre less the squared radius. Rays that miss need none.
+    HD_INNER Real power() const { return glm::dot(from_center, from_center) - radius2; }
 };
 
 /// Stable form: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
@@ -78,15 +82,18 @@ template <class Real> HD_INNER Approach<Real> approach(const Sphere<Real>& spher
     const Real b = -glm::dot(from_center, ray.direction);
     const Vec3<Real> closest = from_center + b * ray.direction;
     const Real radius2 = sphere.radius * sphere.radius;
-    return {b, radius2 - glm::dot(closest, closest), glm::dot(from_center, from_center) - radius2};
+    return {from_center, radius2, b, radius2 - glm::dot(closest, closest)};
 }
 
-/// The chord of a ray that does not miss.
+/// The chord of a ray that does not miss; see Approach.
+template <class Real> HD_INNER Chord<Real> chord(Real closest, Real half_chord2, Real power) {
+    const Real half_chord = square_root(half_chord2);
+    const Real q = closest < 0 ? closest - half_chord : closest + half_chord;
+    const Real other = power / q;
+    return {closest < 0 ? q : other, closest < 0 ? other : q};
+}
 template <class Real> HD_INNER Chord<Real> chord(const Approach<Real>& met) {
-    const Real half_chord = square_root(met.half_chord2);
-    const Real q = met.closest < 0 ? met.closest - half_chord : met.closest + half_chord;
-    const Real other = met.power / q;
-    return {met.closest < 0 ? q : other, met.closest < 0 ? other : q};
+    return chord(met.closest, met.half_chord2, met.power());
 }
 
 /// A sphere's chord along `ray`, which must be longer than 2 sqrt(min_half_chord2).

@@ -86,8 +86,8 @@ public:
             alignas(64) Real t[group];
             for (uint32_t i = 0; i < group; ++i) {
                 const uint32_t lane = first + i;
-                const Real power = approach(sphere, rays_.ray(lane)).power; // of those that meet it alone
-                const Chord<Real> met = chord(Approach<Real>{closest[lane], half_chord2[lane], power});
+                const Real power = approach(sphere, rays_.ray(lane)).power(); // of those that meet it alone
+                const Chord<Real> met = chord(closest[lane], half_chord2[lane], power);
                 t[i] = half_chord2[lane] > least ? met.beyond(rays_.nearest[lane]) : infinity<Real>;
             }
             consider(first, id, t);

@@ -122,7 +122,7 @@ template <class Real> struct SceneView {
         return !exact.spheres.empty() && geometry.is_sphere(id) && geometry.spheres[id].radius > geometry.large_radius;
     }
     /// Whether two primitives are the same shape at the same place, as exactly as it is known.
-    HD bool is_repeated(uint32_t a, uint32_t b) const {
+    HD_RARE bool is_repeated(uint32_t a, uint32_t b) const {
         return geometry.is_repeated(a, b) && (exact.empty() || exact.is_repeated(a, b));
     }
 };
