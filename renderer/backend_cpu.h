@@ -96,10 +96,6 @@ public:
         });
     }
 
-    /// As reduce, into out[0].
-    template <class T, class Kernel> void reduce_into(Buffer<T>& out, uint32_t count, const Kernel& kernel) {
-        out.view()[0] = reduce<T>(count, kernel);
-    }
 
 private:
     static int usable(unsigned threads) {

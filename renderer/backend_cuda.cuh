@@ -105,10 +105,6 @@ public:
     /// static combine(a, b) is associative.
     template <class T, class Kernel> T reduce(uint32_t count, const Kernel& kernel);
 
-    /// As reduce, into out[0], without waiting.
-    template <class T, class Kernel> void reduce_into(Buffer<T>& out, uint32_t count, const Kernel& kernel) {
-        reduce_to(out.data(), count, kernel);
-    }
 
 private:
     static constexpr size_t staging_bytes = 4u << 20, result_bytes = 256;
