@@ -141,7 +141,7 @@ public:
             return false;
         const Real x = crossings_[0].at(plane_.x), y = crossings_[1].at(plane_.y), z = crossings_[2].at(plane_.z);
         const Real leave = lesser(lesser(x, y), z);
-        if (leave >= end_ || visitor.is_done(leave))
+        if (visitor.is_done(leave) || leave >= end_)
             return false;
         // Without branches, which threads that go different ways would take one after the other.
         const bool along_x = leave == x, along_y = !along_x && leave == y, along_z = !along_x && !along_y;
