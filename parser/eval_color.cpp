@@ -34,7 +34,9 @@ constexpr Channel channels[] = {
 Varying srgb_to_linear(const Varying& value) {
     if (!value.node)
         return value.value <= 0.04045 ? value.value / 12.92 : std::pow((value.value + 0.055) / 1.055, 2.4);
-    return choose(apply(MotionOp::greater, value, 0.04045), apply(MotionOp::pow, (value + 0.055) / 1.055, 2.4),
+    const Varying curved =
+        apply(MotionOp::max, value, 0.04045); // programs compute both sides, and a power of less is none
+    return choose(apply(MotionOp::greater, value, 0.04045), apply(MotionOp::pow, (curved + 0.055) / 1.055, 2.4),
                   value / 12.92);
 }
 

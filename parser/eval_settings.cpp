@@ -58,10 +58,12 @@ void Evaluator::assumed_gamma() {
 /// Linear light as a number of the working space.
 Varying Evaluator::encode_working(const Varying& linear) {
     const WorkingCurve curve = builder_.program().working_curve;
-    const auto power = [&](double exponent) { return apply(MotionOp::pow, linear, exponent); };
-    if (curve == WorkingCurve::srgb)
-        return choose(apply(MotionOp::greater, linear, 0.0031308), 1.055 * power(1 / 2.4) - 0.055, linear * 12.92);
-    return curve == WorkingCurve::power ? power(1.0 / builder_.program().working_gamma) : linear;
+    if (curve == WorkingCurve::srgb) {
+        const Varying curved = apply(MotionOp::max, linear, 0.0031308); // programs compute both sides
+        return choose(apply(MotionOp::greater, linear, 0.0031308),
+                      1.055 * apply(MotionOp::pow, curved, 1 / 2.4) - 0.055, linear * 12.92);
+    }
+    return curve == WorkingCurve::power ? apply(MotionOp::pow, linear, 1.0 / builder_.program().working_gamma) : linear;
 }
 
 /// POV-Ray decides by the version that holds at the end of the scene.

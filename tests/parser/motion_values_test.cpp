@@ -56,8 +56,8 @@ TEST_CASE("motion values: splines of every kind are looked up by the time") {
 
 TEST_CASE("motion values: places of a color map, axes of gradients and albedos follow from the time") {
     const auto on_sphere = [](const std::string& surface) { check_programs("sphere { 0, 1 " + surface + " }"); };
-    on_sphere(
-        "pigment { gradient y color_map { [0.1*clock rgb 0] [0.5+0.1*clock, 0.9 color rgb x color rgb y*clock] [1 rgb 1] } }");
+    on_sphere("pigment { gradient y color_map { [0.1*clock rgb 0] [0.5+0.1*clock, 0.9 color rgb x color rgb y*clock] "
+              "[1 rgb 1] } }");
     on_sphere("pigment { leopard color_map { [0 rgb 0] [0.2+clock*clock/99 rgb x] [1.5 rgb 1] } }");
     on_sphere("pigment { gradient <1, 0.3*clock, 0.2> color_map { [0 rgb 0] [1 rgb 1] } translate clock*x }");
     on_sphere("pigment { gradient <0.2, 3+0.3*clock, 0.2> rotate 9*clock }");
@@ -68,6 +68,14 @@ TEST_CASE("motion values: places of a color map, axes of gradients and albedos f
                    "sphere { 0, 1 finish { F diffuse albedo 0.7 } } sphere { 0, 1 finish { F specular albedo 0.25 } }\n"
                    "#declare M = color_map { [clock/9 rgb 0] [1 rgb <1, clock, 0>] }\n"
                    "sphere { 0, 1 pigment { radial color_map { M } } }");
+}
+
+TEST_CASE("motion values: colors of sRGB may go below black") {
+    for (const char* gamma : {"1", "srgb"})
+        check_programs(
+            fmt::format("#version 3.7; global_settings {{ assumed_gamma {} }} background {{ srgb clock-2 }}\n"
+                        "sphere {{ 0, 1 pigment {{ srgb <sin(9*clock), clock-0.5, 0.04045*clock> }} }}",
+                        gamma));
 }
 
 TEST_CASE("motion values: an order or a side that changes is left to the script") {
