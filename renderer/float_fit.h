@@ -10,8 +10,10 @@
 namespace proxima {
 
 /// In float every coordinate is rounded to 2^-24 of itself, and so is every ray's direction. Seen from near by, the
-/// first moves outlines by (coordinate / distance) * 2^-24, the second by 2^-24, both as angles; what they come to
-/// depends on how wide a pixel is. Large spheres are met in double (SceneView::meets_exactly), and are left out.
+/// first moves outlines by (coordinate / distance) * 2^-24, the second by 2^-24 or two, all as angles; what they come
+/// to depends on how wide a pixel is. What lies outside of the picture does not count. Large spheres are met in double
+/// (SceneView::meets_exactly): of them, only the place counts from which the ray is tested. It is an estimate, not a
+/// bound: how often it errs is in tests/bench/NOTES.md.
 struct FloatFit {
     /// By which float may move an outline: that changes an antialiased sample by at most one of 256 levels.
     static constexpr double most_pixels = 1.0 / 256;

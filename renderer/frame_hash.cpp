@@ -28,12 +28,12 @@ std::string describe_layers(const FrameSettings& settings) {
 std::string describe(const FrameSettings& settings) {
     // How many members there are: a new one stops the compilation here. Does it change the picture? Then it belongs
     // into the text below; rows, in_halves, accelerator, grid, metric and brick do not, but for the layer that counts
-    // steps.
+    // steps. The precision depends on the frame's scene as well.
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13] = settings;
     const Antialiasing& antialiasing = settings.antialiasing;
-    return fmt::format("size {}x{} samples {} antialias {} {} {} precision {} tolerances {}", settings.width,
-                       settings.height, settings.samples, int(antialiasing.method), bits(antialiasing.threshold),
-                       antialiasing.depth, int(settings.precision), int(settings.tolerances)) +
+    return fmt::format("size {}x{} samples {} antialias {} {} {} tolerances {}", settings.width, settings.height,
+                       settings.samples, int(antialiasing.method), bits(antialiasing.threshold), antialiasing.depth,
+                       int(settings.tolerances)) +
            describe_layers(settings);
 }
 
@@ -52,14 +52,16 @@ std::string describe(const SceneClock& time) {
 } // namespace
 
 FrameHash::FrameHash(const RenderOptions& options, std::string_view color)
-    : settings_(fmt::format("proxima " PROXIMA_VERSION
+    : precision_(options.frame.precision),
+      settings_(fmt::format("proxima " PROXIMA_VERSION
                             " {} {} format {} type {} compression {} rate {}/{} color {} dither {}",
                             describe(options.frame), describe(options.scene.animation.shutter),
                             int(options.output->format()), int(options.type), int(options.compression),
                             options.rate.numerator, options.rate.denominator, color, options.dither)) {}
 
 std::string FrameHash::of(int64_t frame, const SceneFacts& scene, std::string_view backend) const {
-    return hash_text(fmt::format("{} frame {} scene {} {} backend {}", settings_, frame, scene.hash.text(),
+    return hash_text(fmt::format("{} precision {} frame {} scene {} {} backend {}", settings_,
+                                 int(chosen_precision(precision_, scene.float_holds)), frame, scene.hash.text(),
                                  describe(scene.time), backend))
         .text();
 }

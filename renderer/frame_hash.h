@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hash in a frame's file: of everything that its bytes follow from. That is the evaluated scene (and so every file
-// that was read for it), the frame and its clock, each option that changes the picture or its file, the colour
-// transform, the kind of device and the program's version; not the scene's text, nor how the work was shared.
+// that was read for it), the frame and its clock, each option that changes the picture or its file, the precision that
+// the frame is rendered in, the colour transform, the kind of device and the program's version; not the scene's text,
+// nor how the work was shared.
 #pragma once
 #include "renderer/options.h"
 #include "renderer/scene_facts.h"
@@ -21,6 +22,7 @@ public:
     std::string of(int64_t frame, const SceneFacts& scene, std::string_view backend) const;
 
 private:
+    Precision precision_; ///< that is asked for
     std::string settings_;
 };
 

@@ -154,7 +154,9 @@ void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task
                 throw;
             smaller = true;
         } catch (const MotionUndefined&) {
+            const FloatFit fit = task.scenes.fit; // decides the precision, which is in the frame's hash
             task.scenes = config_.scenes_by_script(task.frame);
+            task.scenes.fit = fit;
         }
     }
     if (!statistics.note.empty())

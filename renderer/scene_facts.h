@@ -10,6 +10,7 @@ struct SceneFacts {
     Hash128 hash{};
     SceneClock time{};
     Camera<double> camera{}; ///< at that time
+    bool float_holds = true; ///< see FloatFit: what --precision auto goes by
 };
 
 } // namespace proxima

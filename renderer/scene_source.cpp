@@ -126,7 +126,7 @@ SceneFacts SceneSource::facts(int64_t frame) {
             moving_camera_ = program();
         camera_ = program().camera;
     }
-    SceneFacts facts{*hash_, options_.animation.clock(frame), camera_};
+    SceneFacts facts{*hash_, options_.animation.clock(frame), camera_, shown_.fit.holds()};
     if (moving_camera_) {
         move_fields(*moving_camera_, program().motion, motion_time(facts.time));
         facts.camera = moving_camera_->camera;

@@ -38,6 +38,13 @@ double TradeoffPoint::spread() const {
     return (*most - *least) / pilot_ms;
 }
 
+std::pair<double, double> TradeoffPoint::range() const {
+    if (repeats.empty() || pilot_ms <= 0)
+        return {ms, ms};
+    const auto [least, most] = std::ranges::minmax_element(repeats);
+    return {ms * *least / pilot_ms, ms * *most / pilot_ms};
+}
+
 double TradeoffRecord::noise() const {
     std::vector<double> spreads;
     for (const TradeoffPoint& point : points)
@@ -52,7 +59,7 @@ void conclude(TradeoffRecord& record) {
         const auto found = std::ranges::find_if(
             record.points, [=](const TradeoffPoint& point) { return point.error.levels <= levels; });
         Recommendation recommendation{.levels = levels};
-        if (found != record.points.end())
+        if (found != record.points.end() && levels >= record.reference_error.levels)
             recommendation.point = size_t(found - record.points.begin());
         record.recommendations.push_back(recommendation);
     }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace proxima {
@@ -23,6 +24,8 @@ struct TradeoffPoint {
 
     /// The longest repeat less the shortest, over the median.
     double spread() const;
+    /// The shortest and the longest of the repeats, as times of the whole picture.
+    std::pair<double, double> range() const;
 };
 
 /// A way to write the picture.
@@ -34,7 +37,8 @@ struct FilePoint {
     PictureError error{};
 };
 
-/// The cheapest setting whose error is at most `levels`; none when there is none.
+/// The cheapest setting whose error is at most `levels`; none when there is none, or when the reference is not as good
+/// as that itself.
 struct Recommendation {
     double levels = 0; ///< see PictureError::levels
     std::optional<size_t> point{};
@@ -52,7 +56,7 @@ struct TradeoffRecord {
     uint32_t repeats = 0;
     double budget = 0, seconds = 0;
     std::string reference{};        ///< its options
-    PictureError reference_error{}; ///< its own, estimated
+    PictureError reference_error{}; ///< its own, estimated by its two halves: of less, nothing can be told
     std::vector<TradeoffAspect> aspects{};
     std::vector<TradeoffPoint> points{}; ///< by rising time
     size_t left_out = 0;                 ///< combinations that looked promising and that there was no time for

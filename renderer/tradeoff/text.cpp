@@ -14,8 +14,9 @@ std::string ssim_text(const std::optional<double>& ssim) {
 }
 
 std::string row(const TradeoffPoint& point) {
-    return fmt::format("{} {:>10.3f} {:>6.1f} {:>8.2f} {:>9.5f} {:>8.4f} {:>8} {:>8.3f}  {}\n",
-                       point.on_front ? '*' : ' ', point.ms, 100 * point.spread(), point.error.levels, point.error.rms,
+    const auto [least, most] = point.range();
+    return fmt::format("{} {:>10.3f} {:>10.3f} {:>10.3f} {:>8.2f} {:>9.5f} {:>8.4f} {:>8} {:>8.3f}  {}\n",
+                       point.on_front ? '*' : ' ', point.ms, least, most, point.error.levels, point.error.rms,
                        point.error.max, ssim_text(point.error.ssim), 100 * point.error.visible, point.options);
 }
 
@@ -51,8 +52,10 @@ std::string tradeoff_text(const TradeoffRecord& record) {
     std::string text = fmt::format("{}, frame {}, on {}: {} settings in pictures of {}x{}, each measured {} times\n",
                                    record.scene, record.frame, record.device, record.points.size(), record.pilot_width,
                                    record.pilot_height, record.repeats);
-    text += fmt::format("reference: {}; its own error is about {:.3f} levels\n", record.reference,
-                        record.reference_error.levels);
+    text +=
+        fmt::format("reference: the mean of {} and of as many other samples; it is off by about {:.3f} levels itself,\n"
+                    "  by half of what is between the two, and of less than that nothing can be told\n",
+                    record.reference, record.reference_error.levels);
     text += fmt::format("noise: half of the times spread by {:.1f} % and less between repeats\n", 100 * record.noise());
     for (const TradeoffAspect& aspect : record.aspects)
         text += fmt::format("  {:<12} {:<10} {}\n", aspect.name,
@@ -60,11 +63,12 @@ std::string tradeoff_text(const TradeoffRecord& record) {
     if (record.left_out > 0)
         text += fmt::format("left out for want of time: {} combinations; a longer --budget measures them\n",
                             record.left_out);
-    text += fmt::format("\nms: of {}x{}, from the small picture; levels: RMS of what a display shows, 255 is white;\n"
+    text += fmt::format("\nms: of {}x{}, from the small picture, the median of the repeats, with the least and the "
+                        "most; levels: RMS of what a display shows, 255 is white;\n"
                         "visible: percent of the pixels that differ by more than 2.3 in CIELAB; * is on the front\n\n",
                         record.width, record.height);
-    text += fmt::format("  {:>10} {:>6} {:>8} {:>9} {:>8} {:>8} {:>8}  {}\n", "ms", "+-%", "levels", "RMS", "max",
-                        "SSIM", "visible", "options");
+    text += fmt::format("  {:>10} {:>10} {:>10} {:>8} {:>9} {:>8} {:>8} {:>8}  {}\n", "ms", "least", "most", "levels",
+                        "RMS", "max", "SSIM", "visible", "options");
     for (const TradeoffPoint& point : record.points)
         text += row(point);
     if (!record.files.empty())
@@ -73,7 +77,8 @@ std::string tradeoff_text(const TradeoffRecord& record) {
     for (const Recommendation& recommendation : record.recommendations) {
         text += fmt::format("  {:>3g}/255  ", recommendation.levels);
         if (!recommendation.point) {
-            text += "none of these\n";
+            text += recommendation.levels < record.reference_error.levels ? "the reference is not as good as that\n"
+                                                                          : "none of these\n";
             continue;
         }
         const TradeoffPoint& point = record.points[*recommendation.point];

@@ -2,6 +2,7 @@
 #include "renderer/float_fit.h"
 #include "renderer/large_spheres.h"
 #include "tests/extremes/cases.h"
+#include "tests/extremes/random_views.h"
 
 #include <doctest/doctest.h>
 
@@ -69,6 +70,26 @@ TEST_CASE("float_fit: a sphere that flies away in the course of an animation is 
     CHECK(float_fit(scene, 640, std::vector{begin, end}).coordinate < 1e6); // seen from where its coordinates are large
     scene.camera.location = {1e7, 0, -6};
     CHECK_FALSE(float_fit(scene, 640, std::vector{begin, end}).holds());
+}
+
+TEST_CASE("float_fit: in random scenes the estimate is seldom exceeded, and what float is taken for it holds") {
+    constexpr uint64_t seed = 28;
+    CAPTURE(seed);
+    std::mt19937_64 engine(seed);
+    int scenes = 0, exceeded = 0, in_float = 0;
+    for (int i = 0; i < 150; ++i) {
+        const FloatTrial trial = try_float(random_view(engine));
+        CAPTURE(i);
+        scenes += trial.measured > 0;
+        exceeded += trial.measured > trial.fit.pixels;
+        in_float += trial.fit.holds();
+        if (trial.fit.holds()) {
+            CHECK(trial.measured <= FloatFit::most_pixels);
+            CHECK(trial.wrong == 0);
+        }
+    }
+    CHECK(exceeded <= 0.03 * scenes);
+    CHECK(in_float >= 0.3 * scenes); // else there would be no need for it
 }
 
 TEST_CASE("large_spheres: more than 32 times the geometric mean, whatever the scale") {

@@ -17,9 +17,9 @@ RenderOptions render(std::vector<const char*> arguments) {
     return std::get<RenderOptions>(parse_command_line(int(arguments.size()), arguments.data()));
 }
 
-std::string hash_with(const std::vector<const char*>& arguments) {
+std::string hash_with(const std::vector<const char*>& arguments, bool float_holds = true) {
     const RenderOptions options = render(arguments);
-    return FrameHash(options, "color").of(3, {{1, 2}, options.scene.animation.clock(3), {}}, "cpu");
+    return FrameHash(options, "color").of(3, {{1, 2}, options.scene.animation.clock(3), {}, float_holds}, "cpu");
 }
 
 SceneProgram a_scene() {
@@ -100,6 +100,15 @@ TEST_CASE("frame hash: how the work is done does not matter") {
     CHECK(backend_of("cuda:1#2") == "cuda");
     CHECK(backend_of("cuda:0,cuda:1") == "cuda");
     CHECK(backend_of("cpu,cuda:0") == "cpu+cuda");
+}
+
+TEST_CASE("frame hash: the precision counts in which a frame is rendered, not the one that was asked for") {
+    for (const bool float_holds : {true, false}) {
+        const std::string automatic = hash_with({"--precision", "auto"}, float_holds);
+        CHECK(automatic == hash_with({}, float_holds));
+        CHECK(automatic == hash_with({"--precision", float_holds ? "float" : "double"}, float_holds));
+        CHECK(automatic != hash_with({"--precision", float_holds ? "double" : "float"}, float_holds));
+    }
 }
 
 TEST_CASE("frame hash: every part of a scene counts, and what stands between its parts does not") {

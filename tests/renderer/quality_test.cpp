@@ -195,6 +195,19 @@ TEST_CASE("tradeoff: the front is what nothing else beats, and recommendations k
     record.points.pop_back(); // the most accurate one
     conclude(record);
     CHECK_FALSE(record.recommendations.back().point);
+    record.reference_error.levels = 3; // then nothing is known of 2 and less
+    conclude(record);
+    CHECK(record.recommendations[1].point);
+    CHECK_FALSE(record.recommendations[2].point);
+}
+
+TEST_CASE("tradeoff: a time is shown with the least and the most of its repeats, grown as it is") {
+    TradeoffPoint several;
+    several.repeats = {4, 2, 3};
+    several.pilot_ms = 3;
+    several.ms = 30;
+    CHECK(several.range() == std::pair(20.0, 40.0));
+    CHECK(several.spread() == doctest::Approx(2.0 / 3));
 }
 
 TEST_CASE("tradeoff: the chart has every point, and no name in it is markup") {
