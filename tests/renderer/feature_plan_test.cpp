@@ -38,7 +38,8 @@ TEST_CASE("features: each is needed where a scene asks for it") {
     struct Row {
         const char *body, *feature, *kernel;
     };
-    const char *one = "first surface", *mirrors = "mirrors", *all = "with everything";
+    const char *one = "first surface", *mirrors = "mirrors", *furnished = "lights of all kinds but areas",
+               *all = "with everything";
     const Row rows[] = {
         {"sphere { x, 1 finish { reflection 0.5 } }", "reflection", mirrors},
         {"sphere { x, 1 finish { reflection { 0.5 } reflection_exponent 2 } }", "reflection_exponent", all},
@@ -46,13 +47,14 @@ TEST_CASE("features: each is needed where a scene asks for it") {
         {"sphere { x, 1 pigment { rgbf 1 } }", "tinted_shadows", all},
         {"sphere { x, 1 pigment { rgbf 1 } interior { ior 1.5 } }", "refraction", all},
         {"sphere { x, 1 pigment { rgbf 1 } interior { fade_power 1 fade_distance 1 } }", "fading_interiors", all},
-        {"sphere { x, 1 pigment { gradient x color_map { [0 rgb 0] [1 rgb 1] } } }", "patterns", all},
-        {"light_source { y, 1 spotlight point_at 0 }", "lights_with_direction", all},
+        {"sphere { x, 1 pigment { gradient x color_map { [0 rgb 0] [1 rgb 1] } } }", "patterns", furnished},
+        {"light_source { y, 1 spotlight point_at 0 }", "lights_with_direction", furnished},
         {"light_source { y, 1 area_light x, z, 3, 3 }", "area_lights", all},
-        {"sphere { x, 1 no_image }", "hidden_from_rays", all},
+        {"sphere { x, 1 no_image }", "hidden_from_rays", furnished},
         {"sphere { x, 1 double_illuminate }", "lit_from_both_sides", all},
-        {"sky_sphere { pigment { rgb 1 } }", "sky_sphere", all},
+        {"sky_sphere { pigment { rgb 1 } }", "sky_sphere", furnished},
         {"fog { distance 9 }", "fog", all},
+        {"sky_sphere { pigment { rgb 1 } } sphere { x, 1 finish { reflection 0.5 } }", "sky_sphere", all},
         {"sphere { 0, 1 scale <1, 2, 1> }", "ellipsoids", one},
         {"sphere { <clock, 3, 0>, 1 }", "motion", one},
     };
