@@ -103,7 +103,8 @@ struct GridCounts {
     uint32_t bricks = 0;   ///< occupied ones of the cloud
 };
 
-/// Primitive -> the bricks that it overlaps are occupied: they get a mark, a rank and empty lists.
+/// Primitive -> the bricks that it overlaps are occupied: they get a mark, a rank and empty lists. Where there is room
+/// for fewer, the others have no mark, and so no distance of 0: rays pass them by.
 template <class Real> struct MarkBricks {
     static constexpr uint32_t no_rank = 0xffffffffu, claimed = 0xfffffffeu;
 
@@ -124,11 +125,12 @@ private:
             return;
         const uint32_t rank = atomic_add(&counts[0].bricks, 1);
         store_relaxed(place, rank);
-        marks.set(row, x);
         const uint64_t voxels = 1u << (3 * grid.cloud.shift), first = rank * voxels;
-        if (first + voxels <= grid.heads.size())
-            for (uint64_t voxel = first; voxel < first + voxels; ++voxel)
-                grid.heads[voxel] = no_link;
+        if (first + voxels > grid.heads.size())
+            return; // without a mark: rays may come before it is known that there was too little room
+        marks.set(row, x);
+        for (uint64_t voxel = first; voxel < first + voxels; ++voxel)
+            grid.heads[voxel] = no_link;
     }
 };
 

@@ -261,6 +261,39 @@ TEST_CASE("traverse: a grid whose lists do not fit into memory is made coarser, 
         }
 }
 
+TEST_CASE("traverse: rays pass by the bricks that there is no room for") {
+    RandomNumbers random{std::mt19937(25)};
+    const auto spheres = spheres_of<float>(random, 500, {1, 1, 1});
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    CpuBackend backend;
+    SceneView<float> scene = scene_of(spheres, materials, surfaces);
+    GridBuilder<CpuBackend, float> builder(backend);
+    builder.find_bounds(scene.geometry);
+    builder.build(scene, {.size = {40, 40, 40}, .brick = 4});
+    const CloudView& cloud = scene.grid.cloud;
+    std::vector<uint32_t> marks(BrickMarks::word_count(cloud.size));
+    std::fill(cloud.ranks.begin(), cloud.ranks.end(), MarkBricks<float>::no_rank);
+    GridCounts counts;
+    const uint32_t room = 7;
+    scene.grid.heads = scene.grid.heads.first(room * 64);
+    const MarkBricks<float> mark{scene.grid, scene.geometry, {&counts, 1}, {marks, BrickMarks::row_words(cloud.size)}};
+    for (uint32_t id = 0; id < scene.geometry.round_count(); ++id)
+        mark(id);
+    CHECK(counts.bricks > 100); // so it is known
+    uint32_t marked = 0;
+    bool all_have_lists = true;
+    for (int32_t z = 0; z < cloud.size.z; ++z)
+        for (int32_t y = 0; y < cloud.size.y; ++y)
+            for (int32_t x = 0; x < cloud.size.x; ++x)
+                if (mark.marks.has(uint32_t(y + cloud.size.y * z), x)) {
+                    ++marked;
+                    all_have_lists = all_have_lists && cloud.ranks[cloud.index(x, y, z)] < room;
+                }
+    CHECK(marked == room);
+    CHECK(all_have_lists);
+}
+
 TEST_CASE("traverse: lists that have grown since the last frame are made once more") {
     RandomNumbers random{std::mt19937(22)};
     auto spheres = spheres_of<float>(random, 2'000, {1, 1, 1});
