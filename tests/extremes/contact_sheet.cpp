@@ -10,7 +10,7 @@
 namespace proxima::testing {
 namespace {
 
-constexpr int name_width = 230, text_height = 14, margin = 6;
+constexpr int name_width = 310, text_height = 14, margin = 6;
 
 float encoded(float v) {
     const float c = std::clamp(v == v ? v : 0.0f, 0.0f, 1.0f);

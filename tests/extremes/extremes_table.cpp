@@ -80,7 +80,8 @@ public:
         const Drawn exact = draw(scene, settings, Precision::float64, reference);
         const Drawn single = draw(scene, settings, Precision::float32, reference);
         const Drawn& helped = chosen == Precision::float64 ? exact : single;
-        const std::optional<Image> other = draw_by_povray(extreme);
+        const bool fits_povray = scene.spheres.size() < 10'000'000; // in memory
+        const std::optional<Image> other = fits_povray ? draw_by_povray(extreme) : std::nullopt;
         const LevelFigures levels = compare_levels(exact.image, helped.image);
         const uint64_t not_finite = levels.not_finite + compare_levels(single.image, single.image).not_finite;
         const std::string by_povray = other ? percent(compare_levels(exact.image, *other).within_one) : "-";

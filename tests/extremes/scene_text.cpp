@@ -13,6 +13,8 @@ SceneProgram read_scene(const std::filesystem::path& file, uint32_t width, uint3
     settings.image_width = width;
     settings.image_height = height;
     settings.declares = declares;
+    settings.budget.steps = 10'000'000'000; // 50 million balls take more than what is taken for an endless loop
+    settings.budget.seconds = 3600;
     SceneProgram scene = script.evaluate(settings, diagnostics);
     if (diagnostics.has_errors())
         throw std::runtime_error(diagnostics.format(script.files()));
