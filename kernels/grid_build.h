@@ -134,6 +134,18 @@ private:
     }
 };
 
+/// The same for a cloud that is only planned: marks alone.
+template <class Real> struct MarkPlannedBricks {
+    GridView<Real> grid; ///< with its cloud's size
+    GeometryView<Real> geometry;
+    BrickMarks marks; ///< none at the start
+
+    HD void operator()(uint32_t id) const {
+        for_each_cell_of(brick_grid(grid), geometry, id,
+                         [&](int32_t x, int32_t y, int32_t z) { marks.set(uint32_t(y + grid.cloud.size.y * z), x); });
+    }
+};
+
 /// Primitives -> each becomes the first of the list of each voxel that it overlaps. The heads are no_link at the start.
 /// One item is `together` primitives, which take their links at once: cores would wait for each other's at each.
 template <class Real, uint32_t together> struct LinkPrimitives {

@@ -21,13 +21,21 @@ public:
     void mark(SceneView<Real>& scene, Metric metric, std::span<GridCounts> counts) {
         CloudView& cloud = scene.grid.cloud;
         cloud.metric = metric;
-        marks_.resize(BrickMarks::word_count(cloud.size));
-        marks_.fill_bytes(0);
+        clear_marks(cloud);
         ranks_.resize(cloud.brick_count());
         ranks_.fill_bytes(0xff); // MarkBricks::no_rank
         cloud.ranks = ranks_.view();
         backend_.for_each(scene.geometry.round_count(),
                           MarkBricks<Real>{scene.grid, scene.geometry, counts, marks_of(cloud)});
+    }
+
+    /// The same for distances alone: its bricks get no ranks, and there need not be lists.
+    void mark_planned(SceneView<Real>& scene, Metric metric) {
+        CloudView& cloud = scene.grid.cloud;
+        cloud.metric = metric;
+        clear_marks(cloud);
+        backend_.for_each(scene.geometry.round_count(),
+                          MarkPlannedBricks<Real>{scene.grid, scene.geometry, marks_of(cloud)});
     }
 
     /// Measures the distances: a pass along each axis.
@@ -60,6 +68,10 @@ private:
     static constexpr uint32_t pieces_wanted = 1u << 18; ///< of all lines: as many as a large device has threads
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
+    void clear_marks(const CloudView& cloud) {
+        marks_.resize(BrickMarks::word_count(cloud.size));
+        marks_.fill_bytes(0);
+    }
     BrickMarks marks_of(const CloudView& cloud) { return {marks_.view(), BrickMarks::row_words(cloud.size)}; }
     std::span<uint8_t> room_for(const DistancePass& pass) {
         Buffer<uint8_t>& out = maps_[pass.axis % 2];

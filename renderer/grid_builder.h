@@ -109,8 +109,7 @@ public:
         if (bounded_ == 0)
             return 0;
         scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
-        clear_counts();
-        cloud_.mark(scene, plan.metric, counts_.view());
+        cloud_.mark_planned(scene, plan.metric);
         cloud_.measure(scene.grid.cloud);
         backend_.synchronize();
         return cloud_.mean_distance();
