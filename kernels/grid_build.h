@@ -63,23 +63,22 @@ template <class Real> struct MeasureBounds {
     GeometryView<Real> geometry;
 
     HD BoundsTotal<Real> operator()(uint32_t id) const {
-        const Real radius = geometry.radius(id);
-        if (radius > geometry.large_radius)
-            return {.large = 1};
-        if (!(radius > 0))
+        if (!(geometry.radius(id) > 0))
             return {};
+        if (!geometry.is_bounded(id))
+            return {.large = 1};
         return {geometry.box(id), 1, 0};
     }
 };
 
-/// Lists the large primitives, in no order.
+/// Lists the primitives that are not bounded, in no order.
 template <class Real> struct ListLarge {
     GeometryView<Real> geometry;
     std::span<uint32_t> list;
     std::span<uint32_t> count; ///< one number, 0 at the start
 
     HD void operator()(uint32_t id) const {
-        if (geometry.radius(id) > geometry.large_radius)
+        if (geometry.radius(id) > 0 && !geometry.is_bounded(id))
             list[atomic_add(&count[0], 1)] = id;
     }
 };
@@ -87,8 +86,7 @@ template <class Real> struct ListLarge {
 template <class Real, class Visit>
 HD void for_each_cell_of(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id,
                          const Visit& visit) {
-    const Real radius = geometry.radius(id);
-    if (!(radius > 0) || radius > geometry.large_radius)
+    if (!geometry.is_bounded(id))
         return;
     if (geometry.is_sphere(id))
         for_each_cell(grid, geometry.spheres[id], visit);

@@ -40,7 +40,8 @@ template <class Real> struct ShapesView {
 };
 
 /// What rays are tested with. Spheres and ellipsoids are `bounded`: they lie in `bounds`, save those of radius above
-/// `large_radius`, which are listed in `large`; every ray tests those and the planes.
+/// `large_radius` and those with a centre outside of `core`, which are listed in `large`; every ray tests those and the
+/// planes.
 template <class Real> struct GeometryView : ShapesView<Real> {
     using ShapesView<Real>::spheres;
     using ShapesView<Real>::is_sphere;
@@ -51,11 +52,23 @@ template <class Real> struct GeometryView : ShapesView<Real> {
     std::span<const uint32_t> sphere_materials;
     std::span<const uint32_t> large;
     Real large_radius = infinity<Real>;
+    Box<Real> core{Vec3<Real>(-infinity<Real>), Vec3<Real>(infinity<Real>)};
     /// Padded. When nothing is bounded, a ray goes through it without being moved.
     Box<Real> bounds{Vec3<Real>(infinity<Real>), Vec3<Real>(-infinity<Real>)};
 
     HD uint32_t material(uint32_t id) const {
         return is_sphere(id) ? sphere_materials[id] : is_plane(id) ? plane(id).material : ellipsoid(id).material;
+    }
+    HD bool is_bounded(uint32_t id) const {
+        const Real size = radius(id);
+        const Vec3<Real> place = center(id);
+        bool is_within = true;
+        for (int i = 0; i < 3; ++i)
+            is_within = is_within && core.lower[i] <= place[i] && place[i] <= core.upper[i];
+        return size > 0 && !(size > large_radius) && is_within;
+    }
+    HD Vec3<Real> center(uint32_t id) const {
+        return is_sphere(id) ? spheres[id].center : ellipsoid(id).world_from_object.offset;
     }
     /// The box of a sphere or an ellipsoid.
     HD Box<Real> box(uint32_t id) const {

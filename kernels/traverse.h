@@ -59,7 +59,7 @@ HD void for_each_around(const SceneView<Real>& scene, const Vec3<Real>& point, c
             return;
     if (!scene.grid.in_use()) {
         for (uint32_t id = 0; id < round; ++id)
-            if (!(geometry.radius(id) > geometry.large_radius))
+            if (geometry.is_bounded(id))
                 visit(id);
         return;
     }

@@ -2,6 +2,7 @@
 // The CPU backend: a device's verbs (for_each, exclusive_scan, reduce) and its buffers, by oneTBB on the host's cores.
 #pragma once
 #include "kernels/platform.h"
+#include "renderer/device_costs.h"
 #include "renderer/device_error.h"
 #include "renderer/image.h"
 #include "renderer/memory_meter.h"
@@ -30,9 +31,8 @@ class CpuBackend {
 public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
-    static constexpr uint32_t fewest_for_cloud = 5'000; ///< primitives
-    static constexpr bool traces_packets = true;        ///< has for_each_packet
-    static constexpr bool is_immediate = true;          ///< a verb is done when it returns
+    static constexpr bool traces_packets = true; ///< has for_each_packet
+    static constexpr bool is_immediate = true;   ///< a verb is done when it returns
 
     /// `threads` 0 is one for each core that the process may use; there are never more.
     explicit CpuBackend(unsigned threads = 0) : arena_(usable(threads)) {}
@@ -41,6 +41,10 @@ public:
     template <class T> class Receipt;
     class Moment;
 
+    CostCoefficients costs() const {
+        const int cores = arena_.max_concurrency();
+        return {cpu_costs.grid.shared_by(cores), cpu_costs.cloud.shared_by(cores)};
+    }
     std::string name() const { return "cpu"; }
     MemoryMeter& memory() { return memory_; }
     uint64_t available_memory() const { return uint64_t(sysconf(_SC_AVPHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE)); }

@@ -4,6 +4,7 @@
 #pragma once
 #include "kernels/platform.h"
 #include "renderer/cuda_check.h"
+#include "renderer/device_costs.h"
 #include "renderer/image.h"
 #include "renderer/memory_meter.h"
 
@@ -49,9 +50,8 @@ struct SaturatedSum {
 class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
-    static constexpr uint32_t fewest_for_cloud = 50'000; ///< primitives; with fewer, launches cost more than steps
     static constexpr bool traces_packets = false;
-    static constexpr bool is_immediate = false;          ///< verbs are done after the next synchronize()
+    static constexpr bool is_immediate = false; ///< verbs are done after the next synchronize()
 
     explicit CudaBackend(int ordinal = 0)
         : ordinal_(ordinal), stream_(make_stream(ordinal)), staging_(make_pinned(staging_bytes)), scratch_(*this),
@@ -61,6 +61,7 @@ public:
     template <class T> class Receipt;
     class Moment;
 
+    const CostCoefficients& costs() const { return cuda_costs; }
     std::string name() const { return "cuda:" + std::to_string(ordinal_); }
     MemoryMeter& memory() { return memory_; }
     /// Makes the device current in the calling thread.

@@ -54,6 +54,13 @@ public:
         const DistanceTotal& total = seen_total_.value();
         return total.empty ? double(total.sum) / double(total.empty) : 0.0;
     }
+    /// Gives the memory back.
+    void free() {
+        marks_.free();
+        ranks_.free();
+        for (Buffer<uint8_t>& map : maps_)
+            map.free();
+    }
     uint64_t bytes() const { return marks_.bytes() + ranks_.bytes() + maps_[0].bytes() + maps_[1].bytes(); }
 
 private:

@@ -20,16 +20,16 @@ std::string describe_layers(const FrameSettings& settings) {
         return {};
     const std::string layers = fmt::format(" layers {} {} {} {}", depth, normal, id, steps);
     const auto& grid = settings.grid;
-    return steps ? fmt::format("{} by {} {} {} {} {} {}", layers, int(settings.accelerator), grid[0], grid[1], grid[2],
-                               int(settings.metric), settings.brick)
+    return steps ? fmt::format("{} by {} {} {} {} {} {} {}", layers, int(settings.accelerator), grid[0], grid[1],
+                               grid[2], int(settings.metric), settings.brick, bits(settings.density))
                  : layers;
 }
 
 std::string describe(const FrameSettings& settings) {
     // How many members there are: a new one stops the compilation here. Does it change the picture? Then it belongs
-    // into the text below; rows, in_halves, accelerator, grid, metric and brick do not, but for the layer that counts
-    // steps.
-    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13] = settings;
+    // into the text below; rows, in_halves, accelerator, grid, metric, brick and density do not, but for the layer that
+    // counts steps.
+    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14] = settings;
     const Antialiasing& antialiasing = settings.antialiasing;
     return fmt::format("size {}x{} samples {} antialias {} {} {} precision {} tolerances {}", settings.width,
                        settings.height, settings.samples, int(antialiasing.method), bits(antialiasing.threshold),

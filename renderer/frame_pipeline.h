@@ -3,13 +3,12 @@
 // picture and what it took go out.
 #pragma once
 #include "renderer/aov_tracer.h"
-#include "renderer/cloud_choice.h"
 #include "renderer/device_scene.h"
 #include "renderer/film_reader.h"
 #include "renderer/film_tracer.h"
 #include "renderer/frame_renderer.h"
-#include "renderer/grid_builder.h"
 #include "renderer/grid_copy.h"
+#include "renderer/planned_grid.h"
 #include "renderer/step_clock.h"
 
 #include <optional>
@@ -26,7 +25,7 @@ template <class Backend, class Real> class FramePipeline {
 public:
     explicit FramePipeline(Backend& backend)
         : backend_(backend), scene_(backend), grid_(backend), tracer_(backend), aovs_(backend), reader_(backend),
-          film_(backend), sum_(backend), choice_(Backend::fewest_for_cloud), clock_(backend), copy_(backend) {}
+          film_(backend), sum_(backend), clock_(backend), copy_(backend) {}
 
     void set_scene(const SceneProgram& program) {
         scene_.upload(program);
@@ -56,7 +55,21 @@ public:
         }
     }
 
+    /// See FrameRenderer::plan.
+    FramePlan plan(const FrameSettings& settings, std::span<const MotionTime> times, bool everything) {
+        clock_.clear();
+        watch_ = nullptr;
+        built_for_.reset();
+        if (!times.empty())
+            move(times[0]);
+        build(settings, everything ? Look::at_everything : Look::around);
+        FrameStatistics unused;
+        finish_steps(unused);
+        return built_.grid.in_use() ? grid_.plan() : FramePlan{};
+    }
+
 private:
+    using Look = typename PlannedGrid<Backend, Real>::Look;
     static constexpr uint64_t most_pixels = (1ull << 32) / 3; ///< kernels count samples in 32 bits
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
@@ -107,12 +120,13 @@ private:
         end_if_cancelled();
     }
     static double& milliseconds_of(FrameStatistics& statistics, FrameStep step) {
-        return step == FrameStep::motion  ? statistics.motion_ms
-               : step == FrameStep::build ? statistics.build_ms
-               : step == FrameStep::map   ? statistics.cloud_ms
-               : step == FrameStep::relay ? statistics.relay_ms
-               : step == FrameStep::trace ? statistics.trace_ms
-                                          : statistics.readback_ms;
+        return step == FrameStep::motion   ? statistics.motion_ms
+               : step == FrameStep::build  ? statistics.build_ms
+               : step == FrameStep::map    ? statistics.cloud_ms
+               : step == FrameStep::choose ? statistics.choose_ms
+               : step == FrameStep::relay  ? statistics.relay_ms
+               : step == FrameStep::trace  ? statistics.trace_ms
+                                           : statistics.readback_ms;
     }
     void end_if_cancelled() {
         if (backend_.is_cancelled())
@@ -159,15 +173,9 @@ private:
     bool is_incomplete() { return built_.grid.in_use() && !grid_.is_complete(); }
 
     /// The scene's grid, and its cloud if it is to have one.
-    void build(const FrameSettings& settings) {
+    void build(const FrameSettings& settings, Look how = Look::when_due) {
         begin_scene(settings);
-        step(FrameStep::build, [&] {
-            grid_.find_bounds(built_.geometry);
-            if (uses_grid(settings, built_))
-                build_grid(settings, built_);
-        });
-        if (built_.grid.cloud.in_use())
-            step(FrameStep::map, [&] { grid_.build_distances(built_); });
+        grid_.build(built_, scene_.needs(), settings, how, [&](FrameStep name, const auto& work) { step(name, work); });
     }
 
     void begin_scene(const FrameSettings& settings) {
@@ -227,38 +235,14 @@ private:
         reader_.free();
     }
 
-    /// A handful of primitives is tested faster than a grid is walked.
-    static bool uses_grid(const FrameSettings& settings, const SceneView<Real>& scene) {
-        constexpr uint32_t few = 8;
-        return settings.accelerator == Accelerator::grid || settings.accelerator == Accelerator::cloud ||
-               (settings.accelerator == Accelerator::automatic && scene.geometry.round_count() > few);
-    }
-
-    /// A grid, or a cloud over a finer one: as asked for, or by what is found in between the primitives. A size that
-    /// is asked for is a grid's unless a cloud is, too. The cloud's distances are measured later.
-    void build_grid(const FrameSettings& settings, SceneView<Real>& scene) {
-        const GridPlan cloud{.size = settings.grid,
-                             .voxels_per_primitive = 32,
-                             .brick = settings.brick ? settings.brick : 4,
-                             .metric = settings.metric};
-        const bool chooses = settings.accelerator == Accelerator::automatic && settings.grid[0] == 0;
-        if (settings.aovs.steps) // then the choice is seen in the file, and must not depend on the frames before
-            choice_ = CloudChoice(Backend::fewest_for_cloud);
-        if (chooses && choice_.is_due(scene.geometry.round_count()))
-            choice_.report(grid_.mean_distance(scene, cloud));
-        const bool uses_cloud = settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud());
-        grid_.build(scene, uses_cloud ? cloud : GridPlan{.size = settings.grid});
-    }
-
     Backend& backend_;
     DeviceScene<Backend, Real> scene_;
-    GridBuilder<Backend, Real> grid_;
+    PlannedGrid<Backend, Real> grid_;
     FilmTracer<Backend, Real> tracer_;
     AovTracer<Backend, Real> aovs_;
     FilmReader<Backend> reader_;
     Buffer<glm::vec3> film_;
     Buffer<glm::vec3> sum_; ///< of exposures
-    CloudChoice choice_;
     StepWatch* watch_ = nullptr;
     StepClock<Backend> clock_;
     FramePipeline* builder_ = nullptr;

@@ -6,6 +6,7 @@
 #include "kernels/cloud.h"
 #include "kernels/motion.h"
 #include "parser/scene_program.h"
+#include "renderer/frame_cost.h"
 #include "renderer/frame_step.h"
 #include "renderer/image.h"
 
@@ -65,6 +66,7 @@ struct FrameSettings {
     std::array<uint32_t, 3> grid{0, 0, 0}; ///< voxels along x, y, z; 0 = chosen from the scene
     Metric metric = Metric::chessboard;    ///< of the cloud
     uint32_t brick = 0;                    ///< voxels along a brick of the cloud: 1, 2, 4 or 8; 0 = chosen
+    double density = 0;                    ///< voxels a primitive, where `grid` does not say; 0 = chosen
 
     Rows band() const { return rows.count ? rows : Rows{0, height}; }
     FrameSettings with_rows(Rows part) const {
@@ -79,12 +81,14 @@ struct FrameSettings {
 struct FrameStatistics {
     std::string method; ///< "grid", "cloud" or "brute"
     std::array<uint32_t, 3> grid{0, 0, 0};
-    uint64_t references = 0; ///< entries in all voxels' lists
-    uint64_t occupied = 0;   ///< voxels with at least one
+    std::array<uint32_t, 3> wanted_grid{0, 0, 0}; ///< which did not fit into memory; 0: it did
+    uint64_t references = 0;                      ///< entries in all voxels' lists
+    uint64_t occupied = 0;                        ///< voxels with at least one
     Metric metric = Metric::chessboard;
     uint32_t brick = 0;       ///< voxels along a brick of the cloud
     double mean_distance = 0; ///< over the cloud's empty bricks, in bricks
-    double motion_ms = 0, build_ms = 0, cloud_ms = 0, relay_ms = 0, trace_ms = 0, readback_ms = 0;
+    double motion_ms = 0, build_ms = 0, cloud_ms = 0, choose_ms = 0, relay_ms = 0, trace_ms = 0, readback_ms = 0;
+    double predicted_ms = 0; ///< of build, cloud and trace together, when the method was chosen last; 0: it was not
     uint64_t peak_device_bytes = 0;
     uint64_t camera_rays = 0;                           ///< of all moments
     uint64_t replaced_samples = 0, clamped_samples = 0; ///< of an image in halves
@@ -92,7 +96,7 @@ struct FrameStatistics {
 
     /// What another part of the same frame took; the grid's figures are its own.
     void add(const FrameStatistics& part) {
-        const double times[6] = {motion_ms, build_ms, cloud_ms, relay_ms, trace_ms, readback_ms};
+        const double times[7] = {motion_ms, build_ms, cloud_ms, relay_ms, trace_ms, readback_ms, choose_ms};
         const uint64_t peak = peak_device_bytes, replaced = replaced_samples, clamped = clamped_samples,
                        rays = camera_rays;
         *this = part;
@@ -102,6 +106,7 @@ struct FrameStatistics {
         relay_ms += times[3];
         trace_ms += times[4];
         readback_ms += times[5];
+        choose_ms += times[6];
         camera_rays += rays;
         replaced_samples += replaced;
         clamped_samples += clamped;
@@ -139,6 +144,13 @@ public:
     virtual FrameStatistics render(const FrameSettings& settings, std::span<const MotionTime> times, Image& image) = 0;
     /// The same for a scene as the script was evaluated.
     FrameStatistics render(const FrameSettings& settings, Image& image) { return render(settings, {}, image); }
+
+    /// What render() would make its first frame with, at the first of `times`, and all that it would compare; of
+    /// `everything` within reach if asked for. Without methods: the scene has too little for a grid.
+    virtual FramePlan plan(const FrameSettings& settings, std::span<const MotionTime> times, bool everything) {
+        (void)settings, (void)times, (void)everything;
+        return {};
+    }
 
     /// Who is told of the steps of the frames to come; null for nobody. It must outlive them.
     virtual void set_watch(StepWatch*) {}

@@ -159,6 +159,11 @@ void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task
     }
     if (!statistics.note.empty())
         config_.note(fmt::format("{}: {}", worker.device, statistics.note));
+    if (statistics.wanted_grid[0] > 0 && !told_of_memory_.exchange(true))
+        config_.note(fmt::format("{}: a grid of {} voxels does not fit into memory; made with {} (said once; "
+                                 "--stats-json has every frame's)",
+                                 worker.device, fmt::join(statistics.wanted_grid, "x"),
+                                 fmt::join(statistics.grid, "x")));
     const double milliseconds = stopwatch.milliseconds(); // waiting for the writer says nothing about the device
     if (task.assembly->add(worker.device, statistics)) {
         FrameRecord record = config_.describe(task);

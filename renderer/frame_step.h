@@ -8,10 +8,10 @@
 
 namespace proxima {
 
-enum class FrameStep { motion, build, map, relay, trace, read_back, color, encode, write };
+enum class FrameStep { motion, build, map, choose, relay, trace, read_back, color, encode, write };
 
-inline constexpr std::array<const char*, 9> frame_step_names{"motion",    "build", "map",    "relay", "trace",
-                                                             "read-back", "color", "encode", "write"};
+inline constexpr std::array<const char*, 10> frame_step_names{"motion", "build",     "map",   "choose", "relay",
+                                                              "trace",  "read-back", "color", "encode", "write"};
 
 inline const char* name_of(FrameStep step) {
     return frame_step_names[size_t(step)];

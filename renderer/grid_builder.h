@@ -6,21 +6,14 @@
 #include "renderer/cloud_builder.h"
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
-#include "renderer/grid_resolution.h"
+#include "renderer/grid_plan.h"
+#include "renderer/outlier_rule.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace proxima {
-
-/// What a grid is to be like.
-struct GridPlan {
-    std::array<uint32_t, 3> size{0, 0, 0}; ///< voxels along each axis; 0: by voxels_per_primitive
-    double voxels_per_primitive = GridRule{}.voxels_per_primitive;
-    uint32_t brick = 0; ///< voxels along a brick of the cloud, a power of two; 0: no cloud
-    Metric metric = Metric::chessboard;
-};
 
 template <class Backend, class Real> class GridBuilder {
 public:
@@ -51,6 +44,7 @@ public:
                 geometry.large_radius = std::ldexp(Real(1), exponent++);
                 total = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
             } while (total.large > most_large);
+        OutlierRule::apply(backend_, geometry, total, std::exp2(double(size.exponents) / double(size.count)));
         if (total.large > 0)
             list_large(geometry, total.large);
         if (total.bounded > 0)
@@ -60,12 +54,13 @@ public:
 
     /// Starts to make scene.grid as `plan` has it, or coarser where there is not memory enough. Room is made for lists
     /// as long as those that were seen last; whether that was enough, is_complete() tells.
-    void build(SceneView<Real>& scene, const GridPlan& plan) {
+    /// `waits`: it is complete at once.
+    void build(SceneView<Real>& scene, const GridPlan& plan, bool waits = false) {
         if (bounded_ == 0)
             return;
         do {
             start(scene, plan);
-            if (has_seen_ && !Backend::is_immediate)
+            if (has_seen_ && !Backend::is_immediate && !waits)
                 return;
             backend_.synchronize();
         } while (!is_complete());
@@ -94,6 +89,8 @@ public:
             return;
         for (int i = 0; i < 3; ++i)
             statistics.grid[i] = uint32_t(grid.size[i]);
+        if (is_coarser_)
+            statistics.wanted_grid = wanted_;
         statistics.references = seen_counts_.value().links;
         statistics.occupied = seen_counts_.value().occupied;
         if (!grid.cloud.in_use())
@@ -103,18 +100,12 @@ public:
         statistics.mean_distance = cloud_.mean_distance();
     }
 
-    /// The mean distance over the empty bricks of the cloud that `plan` would make: only its bricks are marked, and no
-    /// lists are made. Waits for the device.
-    double mean_distance(SceneView<Real> scene, const GridPlan& plan) {
-        if (bounded_ == 0)
-            return 0;
-        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
-        clear_counts();
-        cloud_.mark(scene, plan.metric, counts_.view());
-        cloud_.measure(scene.grid.cloud);
-        backend_.synchronize();
-        return cloud_.mean_distance();
+    /// The grid that `plan` would make over the bounds, without memory.
+    GridView<Real> planned(const Box<Real>& bounds, const GridPlan& plan) const {
+        return grid_over(bounds, voxels(bounds, plan, most_voxels_), plan.brick);
     }
+    /// Whether there is anything for a grid.
+    bool has_bounded() const { return bounded_ > 0; }
 
     /// Starts to measure the cloud's distances. The scene's grid must have been built with one.
     void build_distances(SceneView<Real>& scene) { cloud_.measure(scene.grid.cloud); }
@@ -150,11 +141,11 @@ private:
     }
     uint64_t link_budget() const { return std::min<uint64_t>(most_links, budget() / sizeof(GridLink)); }
 
-    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, const GridPlan& plan) const {
+    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, const GridPlan& plan, uint64_t most_voxels) const {
         const Vec3<double> extent(bounds.upper - bounds.lower);
         GridRule rule;
         rule.voxels_per_primitive = plan.voxels_per_primitive;
-        rule.most_voxels = most_voxels_;
+        rule.most_voxels = most_voxels;
         std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);
         for (int i = 0; i < 3; ++i)
             if (plan.size[i] > 0)
@@ -188,7 +179,9 @@ private:
             link_room_ = std::min<uint64_t>(uint64_t(bounded_) * expected_links, link_budget());
         if (!has_seen_)
             most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
-        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
+        scene.grid = planned(scene.geometry.bounds, plan);
+        wanted_ = voxels(scene.geometry.bounds, plan, GridRule{}.most_voxels);
+        is_coarser_ = wanted_ != voxels(scene.geometry.bounds, plan, most_voxels_);
         cells_ = scene.grid.cell_count();
         is_coarsest_ = (plan.brick > 0 ? scene.grid.cloud.brick_count() : cells_) == 1;
         if (links_.size() < link_room_)
@@ -227,7 +220,9 @@ private:
     typename Backend::template Receipt<GridCounts> seen_counts_;
     uint32_t bounded_ = 0;
     uint64_t cells_ = 0;
-    bool is_coarsest_ = false; ///< the grid is one voxel, or one brick
+    std::array<uint32_t, 3> wanted_{0, 0, 0}; ///< voxels, if there were memory for them
+    bool is_coarser_ = false;                 ///< than that
+    bool is_coarsest_ = false;                ///< the grid is one voxel, or one brick
     uint64_t link_room_ = 0;
     uint32_t brick_room_ = 0;
     uint64_t most_voxels_ = GridRule{}.most_voxels;

@@ -18,6 +18,7 @@ public:
     /// `built` is the same scene on `other`, with its grid.
     template <class Real> void take(SceneView<Real>& scene, const SceneView<Real>& built, Backend& other) {
         scene.geometry.large_radius = built.geometry.large_radius;
+        scene.geometry.core = built.geometry.core;
         scene.geometry.bounds = built.geometry.bounds;
         scene.geometry.large = built.geometry.large;
         scene.grid = built.grid;

@@ -57,11 +57,15 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_scene_options(*check, check_texts);
     PlanOptions plan_options;
     SceneTexts plan_texts;
+    DeviceTexts plan_device;
+    std::string plan_antialias = "none";
     CLI::App* plan = app.add_subcommand("plan", "Tell how a scene would be rendered, and why, in numbers");
     add_scene(*plan, plan_texts);
     add_scene_options(*plan, plan_texts);
     add_choice_options(*plan, plan_texts, "plan for");
     add_shutter_options(*plan, plan_texts);
+    add_antialias_option(*plan, plan_antialias);
+    add_device_options(*plan, plan_device);
     plan->add_flag("--json", plan_options.json, "As JSON");
     BenchTexts bench_texts;
     const CLI::App* bench = add_bench(app, bench_texts);
@@ -98,8 +102,13 @@ Command parse_command_line(int argc, const char* const* argv) {
         return CheckOptions{read_scene_options(check_texts)};
     }
     if (plan->parsed()) {
-        apply_ini(*plan, plan_texts);
+        const IniOptions ini = apply_ini(*plan, plan_texts);
+        apply_ini_rendering(*plan, ini, plan_texts, plan_device, plan_antialias);
         plan_options.scene = read_scene_options(plan_texts);
+        plan_options.frame = read_frame_settings(plan_options.scene, plan_device);
+        plan_options.frame.antialiasing = parse_antialiasing(plan_antialias);
+        plan_options.device = parse_device(plan_device.device);
+        plan_options.threads = parse_count("--threads", plan_device.threads, 0, 4096);
         return plan_options;
     }
     if (bench->parsed())

@@ -47,6 +47,11 @@ public:
         return statistics;
     }
 
+    FramePlan plan(const FrameSettings& settings, std::span<const MotionTime> times, bool everything) override {
+        backend_.activate();
+        return double_ ? double_->plan(settings, times, everything) : single_->plan(settings, times, everything);
+    }
+
     void lock_pages(Image& image) override {
         backend_.activate();
         if (!image.lock)

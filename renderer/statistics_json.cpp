@@ -15,6 +15,11 @@ Json metric_json(const FrameStatistics& statistics) {
     return statistics.method == "cloud" ? Json(names[size_t(statistics.metric)]) : Json();
 }
 
+/// Null where the grid is as fine as it was to be.
+Json wanted_grid_json(const FrameStatistics& statistics) {
+    return statistics.wanted_grid[0] ? Json(statistics.wanted_grid) : Json();
+}
+
 Json frame_json(const FrameRecord& record) {
     const FrameStatistics& statistics = record.statistics;
     return {{"frame", record.frame},
@@ -26,12 +31,15 @@ Json frame_json(const FrameRecord& record) {
             {"metric", metric_json(statistics)},
             {"brick", statistics.brick},
             {"grid", statistics.grid},
+            {"wanted_grid", wanted_grid_json(statistics)},
             {"references", statistics.references},
             {"occupied", statistics.occupied},
             {"mean_distance", statistics.mean_distance},
             {"motion_ms", statistics.motion_ms},
             {"build_ms", statistics.build_ms},
             {"cloud_ms", statistics.cloud_ms},
+            {"choose_ms", statistics.choose_ms},
+            {"predicted_ms", statistics.predicted_ms},
             {"relay_ms", statistics.relay_ms},
             {"trace_ms", statistics.trace_ms},
             {"readback_ms", statistics.readback_ms},

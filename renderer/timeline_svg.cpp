@@ -13,8 +13,8 @@ namespace {
 constexpr double left = 110, width = 1280, row = 22, top = 52;
 constexpr size_t most_spans = 20'000; ///< that a browser shows without effort
 
-constexpr const char* colors[frame_step_names.size()] = {"#9467bd", "#1f77b4", "#17becf", "#e377c2", "#2ca02c",
-                                                         "#ff7f0e", "#bcbd22", "#8c564b", "#7f7f7f"};
+constexpr const char* colors[frame_step_names.size()] = {"#9467bd", "#1f77b4", "#17becf", "#d62728", "#e377c2",
+                                                         "#2ca02c", "#ff7f0e", "#bcbd22", "#8c564b", "#7f7f7f"};
 
 /// The distance of the axis's marks: 1, 2 or 5 times a power of ten, about ten of them.
 double mark_distance(double length) {

@@ -368,10 +368,19 @@ TEST_CASE_TEMPLATE("frame: whoever watches is told of every step, in order", Bac
     renderer->set_scene(random_scene(3, {}), Precision::float32);
     FrameSettings settings;
     settings.accelerator = Accelerator::cloud;
+    settings.density = 32;
     Image image;
     renderer->render(settings, image);
     CHECK(watch.begun == std::vector{FrameStep::build, FrameStep::map, FrameStep::trace, FrameStep::read_back});
     CHECK(watch.ended == watch.begun);
+    watch.begun.clear(), watch.ended.clear();
+    settings.density = 0; // the first frame looks around
+    renderer->render(settings, image);
+    CHECK(std::count(watch.begun.begin(), watch.begun.end(), FrameStep::choose) == 1);
+    CHECK(watch.ended == watch.begun);
+    watch.begun.clear();
+    renderer->render(settings, image);
+    CHECK(watch.begun == std::vector{FrameStep::build, FrameStep::map, FrameStep::trace, FrameStep::read_back});
 }
 
 TEST_CASE_TEMPLATE("frame: a picture is the same in a grid that another device has built", Backend, BACKENDS) {
@@ -411,4 +420,31 @@ TEST_CASE_TEMPLATE("frame: a picture in halves is the picture, rounded", Backend
     for (size_t i = 0; i < floats.rgb.size(); ++i)
         wrong += image.halves[i] != half_bits(floats.rgb[i]);
     CHECK(wrong == 0);
+}
+
+TEST_CASE_TEMPLATE("frame: a few primitives far away do not take the grid's resolution from the others", Backend,
+                   BACKENDS) {
+    const auto renderer = make_renderer<Backend>();
+    for (const double far : {100.0, 100000.0})
+        for (const bool has_far_camera : {false, true}) {
+            CAPTURE(far);
+            SceneProgram scene = random_scene(
+                5, {.spheres = 6000, .radius = 0.02, .mirrors = true, .ellipsoids = true, .ground = false});
+            if (has_far_camera)
+                scene.camera.location.z = -far;
+            for (int i = 0; i < 5; ++i)
+                add_sphere(scene, {far * (i % 3 - 1), far * (i / 3 ? 1 : -0.5), far}, 0.3, 0);
+            add_sphere(scene, {0.3, 0, -far + 2}, 0.3, 0); // the far camera sees this one
+            FrameSettings settings;
+            settings.width = 60;
+            settings.height = 45;
+            settings.accelerator = Accelerator::brute;
+            const Image brute = render(*renderer, scene, settings);
+            FrameStatistics statistics;
+            for (const Accelerator accelerator : {Accelerator::grid, Accelerator::cloud, Accelerator::automatic}) {
+                settings.accelerator = accelerator;
+                CHECK(same_bits(brute, render(*renderer, scene, settings, &statistics)));
+                CHECK(statistics.occupied > 1000); // they would all be in a few voxels
+            }
+        }
 }

@@ -255,6 +255,9 @@ TEST_CASE("traverse: a grid whose lists do not fit into memory is made coarser, 
                 builder.build_distances(grid);
             CHECK(builder.is_complete());
             CHECK(grid.grid.cell_count() < 100 * 100 * 100);
+            FrameStatistics statistics;
+            builder.report(grid.grid, statistics);
+            CHECK(statistics.wanted_grid == std::array<uint32_t, 3>{100, 100, 100}); // so that the user can be told
             const bool is_coarsest = grid.grid.cell_count() == (brick > 0 ? 64 : 1);
             CHECK((is_coarsest || grid.grid.links.size_bytes() <= memory));
             check_same_hits(brute, grid, random);

@@ -20,7 +20,8 @@ public:
         /// Called with the number of the frame, from 0, that this device renders; may throw.
         std::function<void(int)> before_frame = [](int) {};
         std::atomic<int>* scenes_set = nullptr;
-        uint32_t most_rows = 0; ///< that fit into its memory; 0: any number
+        std::array<uint32_t, 3> wanted_grid{0, 0, 0}; ///< see FrameStatistics
+        uint32_t most_rows = 0;                       ///< that fit into its memory; 0: any number
     };
     explicit FakeRenderer(Behavior behavior) : behavior_(std::move(behavior)) {}
 
@@ -41,6 +42,8 @@ public:
         std::fill(image.row(band.first), image.row(band.first) + size_t(band.count) * settings.width * 3, background_);
         FrameStatistics statistics;
         statistics.trace_ms = 1;
+        statistics.wanted_grid = behavior_.wanted_grid;
+        statistics.grid = {4, 4, 4};
         return statistics;
     }
 

@@ -316,3 +316,13 @@ TEST_CASE("scheduler: what cannot be written ends the run, and no device is blam
     CHECK_THROWS_WITH_AS(run({{}, {}}), "while encoding", DeviceError);
     CHECK(run.notes.empty());
 }
+
+TEST_CASE("scheduler: that a grid had to be coarser is said once") {
+    Run run;
+    run({{.wanted_grid = {90, 80, 70}}, {.wanted_grid = {90, 80, 70}}});
+    REQUIRE(run.notes.size() == 1);
+    CHECK(run.notes[0].find("a grid of 90x80x70 voxels does not fit into memory; made with 4x4x4") !=
+          std::string::npos);
+    for (const FrameRecord& record : run.records)
+        CHECK(record.statistics.wanted_grid[0] == 90);
+}
