@@ -22,7 +22,12 @@ struct BrickMarks {
     }
 
     /// `row`: y + height * z. Any thread.
-    HD void set(uint32_t row, int32_t x) const { atomic_or(&row_of(row)[x / 32], 1u << (x % 32)); }
+    HD void set(uint32_t row, int32_t x) const {
+        uint32_t* const word = &row_of(row)[x / 32];
+        const uint32_t bit = 1u << (x % 32);
+        if (!(load_relaxed(word) & bit))
+            atomic_or(word, bit);
+    }
     HD bool has(uint32_t row, int32_t x) const { return row_of(row)[x / 32] >> (x % 32) & 1; }
 
     /// How far the nearest mark of a row is, at most `x` on its way down; at least 255 where there is none so near.

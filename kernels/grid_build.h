@@ -101,7 +101,8 @@ struct GridCounts {
     uint32_t bricks = 0;   ///< occupied ones of the cloud
 };
 
-/// Primitive -> the bricks that it overlaps are occupied: they get a mark, a rank and empty lists.
+/// Primitive -> the bricks that it overlaps are occupied: they get a mark, a rank and empty lists. Where there is room
+/// for fewer, the others share the first one's lists: wrong ones, but such as can be walked.
 template <class Real> struct MarkBricks {
     static constexpr uint32_t no_rank = 0xffffffffu, claimed = 0xfffffffeu;
 
@@ -121,12 +122,25 @@ private:
         if (load_relaxed(place) != no_rank || atomic_compare_exchange(place, no_rank, claimed) != no_rank)
             return;
         const uint32_t rank = atomic_add(&counts[0].bricks, 1);
-        store_relaxed(place, rank);
         marks.set(row, x);
         const uint64_t voxels = 1u << (3 * grid.cloud.shift), first = rank * voxels;
-        if (first + voxels <= grid.heads.size())
-            for (uint64_t voxel = first; voxel < first + voxels; ++voxel)
-                grid.heads[voxel] = no_link;
+        const bool fits = first + voxels <= grid.heads.size();
+        store_relaxed(place, fits ? rank : 0); // rays may come before it is known that there was too little room
+        for (uint64_t voxel = first; fits && voxel < first + voxels; ++voxel)
+            grid.heads[voxel] = no_link;
+    }
+};
+
+/// The same for a cloud that is only planned: marks alone.
+template <class Real> struct MarkPlannedBricks {
+    GridView<Real> grid; ///< with its cloud's size
+    GeometryView<Real> geometry;
+    BrickMarks marks; ///< none at the start
+
+    HD void operator()(uint32_t id) const {
+        for_each_cell_of(brick_grid(grid), geometry, id, [&](int32_t x, int32_t y, int32_t z) {
+            marks.set(uint32_t(y + grid.cloud.size.y * z), x);
+        });
     }
 };
 

@@ -21,8 +21,7 @@ public:
     void mark(SceneView<Real>& scene, Metric metric, std::span<GridCounts> counts) {
         CloudView& cloud = scene.grid.cloud;
         cloud.metric = metric;
-        marks_.resize(BrickMarks::word_count(cloud.size));
-        marks_.fill_bytes(0);
+        clear_marks(cloud);
         ranks_.resize(cloud.brick_count());
         ranks_.fill_bytes(0xff); // MarkBricks::no_rank
         cloud.ranks = ranks_.view();
@@ -30,11 +29,25 @@ public:
                           MarkBricks<Real>{scene.grid, scene.geometry, counts, marks_of(cloud)});
     }
 
+    /// The same for distances alone: its bricks get no ranks, and there need not be lists.
+    void mark_planned(SceneView<Real>& scene, Metric metric) {
+        CloudView& cloud = scene.grid.cloud;
+        cloud.metric = metric;
+        clear_marks(cloud);
+        backend_.for_each(scene.geometry.round_count(),
+                          MarkPlannedBricks<Real>{scene.grid, scene.geometry, marks_of(cloud)});
+    }
+
     /// Measures the distances: a pass along each axis.
     void measure(CloudView& cloud) {
         total_.resize(1);
         total_.fill_bytes(0);
-        DistancePass pass{.cloud = cloud, .marks = marks_of(cloud), .total = total_.view()};
+        measure(cloud, total_.view());
+        seen_total_.request(total_);
+    }
+    /// The same; the distances are added to total[0], which the device has.
+    void measure(CloudView& cloud, std::span<DistanceTotal> total) {
+        DistancePass pass{.cloud = cloud, .marks = marks_of(cloud), .total = total};
         pass.piece = int32_t(std::clamp<uint32_t>(cloud.brick_count() / pieces_wanted, 8, 4096));
         if (RowDistances<16>::fits(cloud))
             measure_rows<16>(pass);
@@ -46,7 +59,6 @@ public:
             backend_.for_each(pass.item_count(), pass);
         }
         cloud.distances = pass.out;
-        seen_total_.request(total_);
     }
 
     /// Over the empty bricks, as measured last; 0 when there are none. After a synchronize().
@@ -54,19 +66,16 @@ public:
         const DistanceTotal& total = seen_total_.value();
         return total.empty ? double(total.sum) / double(total.empty) : 0.0;
     }
-    /// Gives the memory back.
-    void free() {
-        marks_.free();
-        ranks_.free();
-        for (Buffer<uint8_t>& map : maps_)
-            map.free();
-    }
     uint64_t bytes() const { return marks_.bytes() + ranks_.bytes() + maps_[0].bytes() + maps_[1].bytes(); }
 
 private:
     static constexpr uint32_t pieces_wanted = 1u << 18; ///< of all lines: as many as a large device has threads
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
+    void clear_marks(const CloudView& cloud) {
+        marks_.resize(BrickMarks::word_count(cloud.size));
+        marks_.fill_bytes(0);
+    }
     BrickMarks marks_of(const CloudView& cloud) { return {marks_.view(), BrickMarks::row_words(cloud.size)}; }
     std::span<uint8_t> room_for(const DistancePass& pass) {
         Buffer<uint8_t>& out = maps_[pass.axis % 2];

@@ -44,12 +44,16 @@ public:
                 geometry.large_radius = std::ldexp(Real(1), exponent++);
                 total = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
             } while (total.large > most_large);
-        OutlierRule::apply(backend_, geometry, total, std::exp2(double(size.exponents) / double(size.count)));
+        const double mean_size = std::exp2(double(size.exponents) / double(size.count));
+        OutlierRule::apply(backend_, geometry, total, mean_size);
+        smallest_voxel_ = mean_size / voxels_a_radius;
         if (total.large > 0)
             list_large(geometry, total.large);
         if (total.bounded > 0)
             geometry.bounds = padded(total.box);
         bounded_ = total.bounded;
+        if (!has_seen_)
+            most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
     }
 
     /// Starts to make scene.grid as `plan` has it, or coarser where there is not memory enough. Room is made for lists
@@ -112,6 +116,7 @@ public:
 
 private:
     static constexpr uint32_t most_large = 64;
+    static constexpr double voxels_a_radius = 4; ///< finer ones cost more lists than they save tests
     static constexpr uint64_t most_links = 0xfffffff0; ///< links are numbered in 32 bits
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
@@ -129,7 +134,9 @@ private:
         Real reach = 0;
         for (int i = 0; i < 3; ++i)
             reach = larger(reach, larger(magnitude(box.lower[i]), magnitude(box.upper[i])));
-        const Real pad = max_component(box.upper - box.lower) * Real(64) * epsilon + reach * Real(16) * epsilon;
+        const Real least = std::numeric_limits<Real>::min() * Real(1 << 16); // voxels per unit of length stay finite
+        const Real pad =
+            larger(max_component(box.upper - box.lower) * Real(64) * epsilon + reach * Real(16) * epsilon, least);
         box.lower -= Vec3<Real>(pad);
         box.upper += Vec3<Real>(pad);
         return box;
@@ -146,6 +153,7 @@ private:
         GridRule rule;
         rule.voxels_per_primitive = plan.voxels_per_primitive;
         rule.most_voxels = most_voxels;
+        rule.smallest_voxel = smallest_voxel_;
         std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);
         for (int i = 0; i < 3; ++i)
             if (plan.size[i] > 0)
@@ -177,8 +185,6 @@ private:
     void start(SceneView<Real>& scene, const GridPlan& plan) {
         if (!has_seen_ && link_room_ == 0)
             link_room_ = std::min<uint64_t>(uint64_t(bounded_) * expected_links, link_budget());
-        if (!has_seen_)
-            most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
         scene.grid = planned(scene.geometry.bounds, plan);
         wanted_ = voxels(scene.geometry.bounds, plan, GridRule{}.most_voxels);
         is_coarser_ = wanted_ != voxels(scene.geometry.bounds, plan, most_voxels_);
@@ -219,6 +225,7 @@ private:
     Buffer<GridCounts> counts_;
     typename Backend::template Receipt<GridCounts> seen_counts_;
     uint32_t bounded_ = 0;
+    double smallest_voxel_ = 0;
     uint64_t cells_ = 0;
     std::array<uint32_t, 3> wanted_{0, 0, 0}; ///< voxels, if there were memory for them
     bool is_coarser_ = false;                 ///< than that

@@ -16,6 +16,7 @@ struct GridRule {
     double voxels_per_primitive = 2;
     int32_t longest = 4096; ///< voxels along an axis at most: past it a walk's rounding outgrows a voxel's margin
     uint64_t most_voxels = 1ull << 31;
+    double smallest_voxel = 0; ///< edge length: voxels are no finer along any axis
 };
 
 /// Voxels as close to cubes as they come, voxels_per_primitive * count of them. An axis along which the bounds are
@@ -46,10 +47,14 @@ inline std::array<uint32_t, 3> grid_resolution(const std::array<double, 3>& exte
                 settled = false;
             }
     }
+    const auto finest = [&](double length) {
+        const double most = rule.smallest_voxel > 0 ? length / rule.smallest_voxel : infinity<double>;
+        return std::clamp(std::floor(most), 1.0, double(rule.longest));
+    };
     std::array<uint32_t, 3> size{1, 1, 1};
     for (int i = 0; i < 3; ++i)
         if (!thin[i])
-            size[i] = uint32_t(std::clamp(std::round(extent[i] / unit * per_length), 1.0, double(rule.longest)));
+            size[i] = uint32_t(std::clamp(std::round(extent[i] / unit * per_length), 1.0, finest(extent[i])));
     return size;
 }
 

@@ -82,6 +82,8 @@ TEST_CASE("grid resolution: cubic voxels, one along an axis without extent, neve
         {"one", {1, 1, 1}, 1, {1}, {1, 1, 1}},
         {"thin plate", {100, 1, 100}, 4, {4}, {4, 1, 4}},
         {"capped", {1, 1, 1}, 1000000, {8, 4096, 1000}, {10, 10, 10}},
+        {"no finer than is worth it", {4, 2, 1}, 1000000, {8, 4096, 1ull << 31, 0.3}, {13, 6, 3}},
+        {"coarser than its bounds", {4, 2, 1}, 1000000, {8, 4096, 1ull << 31, 5}, {1, 1, 1}},
     };
     for (const Row& row : rows) {
         CAPTURE(row.what);

@@ -211,9 +211,10 @@ struct SmallBackend : CpuBackend {
     uint64_t available_memory() { return size - std::min(size, memory().now()); }
 };
 
-SceneView<float> scene_of(const std::vector<Sphere<float>>& spheres, const std::vector<uint32_t>& materials,
-                          const std::vector<Material>& surfaces) {
-    SceneView<float> scene;
+template <class Real>
+SceneView<Real> scene_of(const std::vector<Sphere<Real>>& spheres, const std::vector<uint32_t>& materials,
+                         const std::vector<Material>& surfaces) {
+    SceneView<Real> scene;
     scene.geometry.spheres = spheres;
     scene.geometry.sphere_materials = materials;
     scene.surfaces.materials = surfaces;
@@ -262,6 +263,75 @@ TEST_CASE("traverse: a grid whose lists do not fit into memory is made coarser, 
             CHECK((is_coarsest || grid.grid.links.size_bytes() <= memory));
             check_same_hits(brute, grid, random);
         }
+}
+
+TEST_CASE("traverse: what is planned fits into memory before anything was built") {
+    RandomNumbers random{std::mt19937(23)};
+    auto spheres = spheres_of<float>(random, 20'000, {1, 1, 1});
+    for (Sphere<float>& sphere : spheres)
+        sphere.radius = 0.001f;
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    SmallBackend backend;
+    backend.size = uint64_t(8) << 20;
+    SceneView<float> scene = scene_of(spheres, materials, surfaces);
+    GridBuilder<SmallBackend, float> builder(backend);
+    builder.find_bounds(scene.geometry);
+    for (const uint32_t brick : {0u, 4u}) {
+        const GridView<float> grid =
+            builder.planned(scene.geometry.bounds, {.voxels_per_primitive = 2048, .brick = brick});
+        CHECK(grid.cell_count() * sizeof(uint32_t) <= backend.size);
+    }
+}
+
+TEST_CASE_TEMPLATE("traverse: a grid over numbers whose inverse is infinite", Real, float, double) {
+    RandomNumbers random{std::mt19937(24)};
+    const Real least = std::numeric_limits<Real>::denorm_min();
+    std::vector<Sphere<Real>> spheres;
+    for (int i = 0; i < 200; ++i)
+        spheres.push_back({Vec3<Real>(Real(i), Real(i % 7), Real(i % 31)) * least, Real(1 + i % 3) * least});
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    CpuBackend backend;
+    SceneView<Real> scene = scene_of(spheres, materials, surfaces);
+    GridBuilder<CpuBackend, Real> builder(backend);
+    builder.find_bounds(scene.geometry);
+    for (const uint32_t brick : {0u, 4u})
+        for (const double density : {2.0, 2048.0}) {
+            builder.build(scene, {.voxels_per_primitive = density, .brick = brick});
+            CHECK(builder.is_complete());
+            for (int i = 0; i < 3; ++i)
+                CHECK(scene.grid.inverse_voxel[i] < infinity<Real>);
+            CHECK(scene.grid.cell_at(scene.geometry.bounds.lower) == Vec3<int32_t>(0));
+        }
+}
+
+TEST_CASE("traverse: more bricks than there is room for have lists that can be walked") {
+    RandomNumbers random{std::mt19937(25)};
+    const auto spheres = spheres_of<float>(random, 500, {1, 1, 1});
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    CpuBackend backend;
+    SceneView<float> scene = scene_of(spheres, materials, surfaces);
+    GridBuilder<CpuBackend, float> builder(backend);
+    builder.find_bounds(scene.geometry);
+    builder.build(scene, {.size = {40, 40, 40}, .brick = 4});
+    const CloudView& cloud = scene.grid.cloud;
+    std::vector<uint32_t> marks(BrickMarks::word_count(cloud.size));
+    std::fill(cloud.ranks.begin(), cloud.ranks.end(), MarkBricks<float>::no_rank);
+    GridCounts counts;
+    const uint32_t room = 7;
+    scene.grid.heads = scene.grid.heads.first(room * 64);
+    const MarkBricks<float> mark{scene.grid, scene.geometry, {&counts, 1}, {marks, BrickMarks::row_words(cloud.size)}};
+    for (uint32_t id = 0; id < scene.geometry.round_count(); ++id)
+        mark(id);
+    CHECK(counts.bricks > 100); // so it is known
+    uint32_t occupied = 0;
+    for (const uint32_t rank : cloud.ranks) {
+        CHECK((rank == MarkBricks<float>::no_rank || rank < room));
+        occupied += rank != MarkBricks<float>::no_rank;
+    }
+    CHECK(occupied == counts.bricks);
 }
 
 TEST_CASE("traverse: lists that have grown since the last frame are made once more") {
