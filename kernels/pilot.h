@@ -103,32 +103,45 @@ struct WalkCount {
     HD uint32_t sum() const { return lookups + tests; }
 };
 
-/// Pilot ray -> what it would cost.
+/// A grid that is looked at. It needs no lists; its cloud, if any, needs distances.
+template <class Real> struct PlannedView {
+    GridView<Real> grid;
+    uint32_t place = 0; ///< among all that are looked at
+};
+
+/// Pilot ray of a plan -> what it would cost. Several plans' rays one plan after the other.
 template <class Real> struct CountWalk {
-    SceneView<Real> scene;  ///< with the grid that was built
-    GridView<Real> planned; ///< needs no lists; its cloud, if any, needs distances
+    static constexpr uint32_t most_plans = 8;
+    /// Tests are counted in every so-manieth voxel of a grid, since each takes a long way to memory; the rays of a
+    /// group begin with different ones.
+    static constexpr uint32_t voxels_a_count = 4;
+
+    SceneView<Real> scene; ///< with the grid that was built
     std::span<const PilotRay<Real>> rays;
-    std::span<WalkCount> counts;
+    std::span<WalkCount> counts; ///< of all places
+    PlannedView<Real> plans[most_plans];
 
     HD void operator()(uint32_t index) const {
-        const PilotRay<Real>& pilot = rays[index];
-        counts[index] = pilot.walks ? count(pilot) : WalkCount{};
+        const uint32_t count = uint32_t(rays.size()), ray = index % count;
+        const PlannedView<Real>& plan = plans[index / count];
+        counts[plan.place * count + ray] = rays[ray].walks ? walk(plan.grid, rays[ray], ray) : WalkCount{};
     }
 
 private:
-    HD WalkCount count(const PilotRay<Real>& pilot) const {
+    HD WalkCount walk(const GridView<Real>& planned, const PilotRay<Real>& pilot, uint32_t first) const {
         const CloudView& cloud = planned.cloud;
         const bool by_length = cloud.metric == Metric::city_block || cloud.metric == Metric::euclidean;
         GridWalk<Real> place(planned, pilot.ray);
         const uint32_t map = cloud.metric == Metric::octant ? place.octant() * cloud.brick_count() : 0;
+        const uint32_t each = cloud.in_use() ? 1 : voxels_a_count;
         WalkCount count;
         for (bool inside = true; inside;) {
             const Vec3<int32_t>& cell = place.cell;
             const int32_t distance =
                 cloud.in_use() ? cloud.distances[size_t(map) + cloud.brick(cell.x, cell.y, cell.z)] : 0;
+            if (distance == 0 && (first + count.lookups) % each == 0)
+                count.tests += each * primitives_in(planned, cell);
             ++count.lookups;
-            if (distance == 0)
-                count.tests += primitives_in(cell);
             if (by_length && distance > 0)
                 inside = place.leap_by_length(planned, distance);
             else
@@ -140,7 +153,7 @@ private:
 
     /// How many primitives the list of a planned voxel would have: each is counted in the one built voxel that holds
     /// the nearest point of the planned voxel to it, since several may list it.
-    HD uint32_t primitives_in(const Vec3<int32_t>& cell) const {
+    HD uint32_t primitives_in(const GridView<Real>& planned, const Vec3<int32_t>& cell) const {
         const GridView<Real>& built = scene.grid;
         const Vec3<Real> lower = planned.lower + Vec3<Real>(cell) * planned.voxel;
         const Box<Real> box{lower, lower + planned.voxel};
@@ -149,28 +162,28 @@ private:
         for (int32_t z = first.z; z <= last.z; ++z)
             for (int32_t y = first.y; y <= last.y; ++y)
                 for (int32_t x = first.x; x <= last.x; ++x)
-                    count += primitives_in(box, {x, y, z});
+                    count += primitives_in(box, planned.inflation, {x, y, z});
         return count;
     }
-    HD uint32_t primitives_in(const Box<Real>& box, const Vec3<int32_t>& cell) const {
+    HD uint32_t primitives_in(const Box<Real>& box, Real inflation, const Vec3<int32_t>& cell) const {
         const GridView<Real>& built = scene.grid;
         if (built.cloud.in_use() && built.cloud.distances[built.cloud.brick(cell.x, cell.y, cell.z)] != 0)
             return 0;
         uint32_t count = 0, link = built.heads[built.slot(cell.x, cell.y, cell.z)];
         for (; link != no_link; link = built.links[link].next) {
             Vec3<Real> nearest;
-            count += overlaps(box, built.links[link].primitive, nearest) && built.cell_at(nearest) == cell;
+            count += overlaps(box, inflation, built.links[link].primitive, nearest) && built.cell_at(nearest) == cell;
         }
         return count;
     }
-    HD bool overlaps(const Box<Real>& box, uint32_t id, Vec3<Real>& nearest) const {
+    HD bool overlaps(const Box<Real>& box, Real inflation, uint32_t id, Vec3<Real>& nearest) const {
         const GeometryView<Real>& geometry = scene.geometry;
         if (geometry.is_sphere(id)) {
             const Sphere<Real>& sphere = geometry.spheres[id];
             for (int i = 0; i < 3; ++i)
                 nearest[i] = clamped(sphere.center[i], box.lower[i], box.upper[i]);
             const Vec3<Real> offset = nearest - sphere.center;
-            const Real radius = sphere.radius + planned.inflation;
+            const Real radius = sphere.radius + inflation;
             return glm::dot(offset, offset) <= radius * radius;
         }
         const Box<Real> other = geometry.box(id);
@@ -183,23 +196,51 @@ private:
     }
 };
 
-/// Links of a part of the primitives: of every `stride`th.
-struct LinkTotal {
-    uint64_t links = 0;
-
-    HD static LinkTotal combine(const LinkTotal& a, const LinkTotal& b) { return {a.links + b.links}; }
-};
-
-/// Number of a primitive of that part -> its links in a grid that needs no lists.
+/// Number of one of every `stride` primitives -> its links in a grid that needs no lists.
 template <class Real> struct SampleLinks {
     GridView<Real> planned;
     GeometryView<Real> geometry;
     uint32_t stride = 1;
+    std::span<uint64_t> links; ///< one, that all are added to
 
-    HD LinkTotal operator()(uint32_t index) const {
-        LinkTotal total;
-        for_each_cell_of(planned, geometry, index * stride, [&](int32_t, int32_t, int32_t) { ++total.links; });
-        return total;
+    HD void operator()(uint32_t index) const {
+        uint32_t count = 0;
+        for_each_cell_of(planned, geometry, index * stride, [&](int32_t, int32_t, int32_t) { ++count; });
+        count_up(&links[0], count);
+    }
+};
+
+/// What all pilots cost: camera rays and those from surfaces on, then those to lights.
+struct WalkTotal {
+    struct Part {
+        uint64_t lookups = 0, tests = 0;
+    };
+    Part all[2];     ///< of every ray
+    Part slowest[2]; ///< of the slowest of each group
+};
+
+/// Group of pilot rays -> its part of the WalkTotal of its plan.
+struct SumWalks {
+    PilotPattern pattern;
+    std::span<const WalkCount> counts;
+    std::span<WalkTotal> total; ///< one
+
+    HD void operator()(uint32_t group) const {
+        const uint32_t first = group * pattern.together;
+        const uint32_t part = first / pattern.pilots() % (1 + pattern.lights) > 0;
+        WalkCount all, slowest;
+        for (uint32_t i = first; i < first + pattern.together; ++i) {
+            all = {all.lookups + counts[i].lookups, all.tests + counts[i].tests};
+            slowest = counts[i].sum() > slowest.sum() ? counts[i] : slowest;
+        }
+        add(total[0].all[part], all);
+        add(total[0].slowest[part], slowest);
+    }
+
+private:
+    HD static void add(WalkTotal::Part& total, const WalkCount& count) {
+        atomic_add(&total.lookups, uint64_t(count.lookups));
+        atomic_add(&total.tests, uint64_t(count.tests));
     }
 };
 

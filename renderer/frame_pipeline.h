@@ -128,6 +128,9 @@ private:
                : step == FrameStep::trace  ? statistics.trace_ms
                                            : statistics.readback_ms;
     }
+    static double made_ms(const FrameStatistics& statistics) {
+        return statistics.build_ms + statistics.cloud_ms + statistics.trace_ms;
+    }
     void end_if_cancelled() {
         if (backend_.is_cancelled())
             throw FrameCancelled();
@@ -151,6 +154,8 @@ private:
         const FrameSettings whole = settings.with_rows({});
         bool is_new = settings.rows.count == 0 || built_for_ != whole;
         built_for_.reset();
+        const double before = made_ms(statistics);
+        const bool is_whole = is_new && settings.rows.count == 0 && !builder_;
         do {
             if (is_new && builder_)
                 take_over(whole, statistics);
@@ -165,6 +170,8 @@ private:
             statistics.camera_rays += is_new ? 0 : tracer_.camera_rays();
         } while (is_new);
         built_for_ = whole;
+        if (is_whole)
+            grid_.time(made_ms(statistics) - before);
         (builder_ ? builder_->grid_ : grid_).report(built_.grid, statistics);
         statistics.method = built_.grid.cloud.in_use() ? "cloud" : built_.grid.in_use() ? "grid" : "brute";
     }

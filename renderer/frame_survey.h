@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks ahead: what a frame would do with another grid or cloud than the one that was built. Pilot rays are traced once
-// through what was built; then each plan's lookups and tests are counted along them, its lists' entries on a part of
-// the primitives, and its bricks for what they are.
+// Looks ahead: what a frame would do with other grids and clouds than the one that was built. Pilot rays are traced
+// once through what was built; then each plan's lookups and tests are counted along them, its lists' entries on a part
+// of the primitives, and its bricks for what they are. Nothing waits for the device until the results are asked for.
 #pragma once
 #include "kernels/pilot.h"
 #include "renderer/cloud_builder.h"
@@ -17,10 +17,12 @@ namespace proxima {
 
 template <class Backend, class Real> class FrameSurvey {
 public:
-    explicit FrameSurvey(Backend& backend)
-        : backend_(backend), cloud_(backend), brick_counts_(backend), rays_(backend), counts_(backend) {}
+    static constexpr uint32_t most_plans = CountWalk<Real>::most_plans; ///< at a time
 
-    /// Sends the pilots out: a number that suits the picture, or `many`. The scene's grid must be complete.
+    explicit FrameSurvey(Backend& backend)
+        : backend_(backend), cloud_(backend), rays_(backend), counts_(backend), totals_(backend), seen_(backend) {}
+
+    /// Starts to send the pilots out: a number that suits the picture, or `many`. The scene's grid must be complete.
     void send_pilots(const SceneView<Real>& scene, const SceneNeeds& needs, const FrameSettings& settings,
                      bool many = false) {
         const uint64_t pixels = uint64_t(settings.width) * settings.height;
@@ -31,40 +33,54 @@ public:
         pattern_.surfaces = std::max(1u, pattern_.surfaces);
         pattern_.lights = std::min(most_lights, uint32_t(scene.lights.size()));
         rays_.resize(pattern_.rays());
-        counts_.resize(pattern_.rays());
         backend_.for_each(pattern_.pilots(), FindPilotRays<Real>{scene, pattern_, rays_.view()});
         pixels_ = samples_of(settings);
         light_share_ = pattern_.lights ? double(scene.lights.size()) / pattern_.lights : 1.0;
     }
 
-    /// What the frame would do with `plan`. Waits for the device.
-    PlannedMethod look_at(const SceneView<Real>& scene, const GridBuilder<Backend, Real>& builder,
-                          const GridPlan& plan) {
-        PlannedMethod method{.plan = plan};
-        SceneView<Real> planned = scene;
-        planned.grid = builder.planned(scene.geometry.bounds, plan);
-        const GridView<Real>& grid = planned.grid;
-        for (int i = 0; i < 3; ++i)
-            method.size[i] = uint32_t(grid.size[i]);
-        method.work = {.primitives = double(scene.geometry.round_count()),
-                       .cells = double(grid.cell_count()),
-                       .links = links(planned),
-                       .pixels = pixels_};
-        if (plan.has_cloud())
-            map(planned, method);
-        count(scene, planned.grid, method.work);
-        method.bytes = bytes(grid, method.work);
-        return method;
+    /// Starts to count what the pilots' frame would do with each of `plans`, at most most_plans.
+    void look_at(const SceneView<Real>& scene, const GridBuilder<Backend, Real>& builder,
+                 std::span<const GridPlan> plans) {
+        begin(scene, builder, plans);
+        counts_.resize(plans.size() * pattern_.rays());
+        CountWalk<Real> grids{scene, rays_.view(), counts_.view(), {}};
+        uint32_t grid_count = 0;
+        for (uint32_t place = uint32_t(plans.size()); place-- > 0;) { // the finest first: memory is made once
+            sample_links(scene.geometry, place);
+            if (!plans[place].has_cloud()) {
+                grids.plans[grid_count++] = {planned_[place], place};
+                continue;
+            }
+            const SceneView<Real> with_cloud = map(scene, place);
+            backend_.for_each(pattern_.rays(),
+                              CountWalk<Real>{scene, rays_.view(), counts_.view(), {{with_cloud.grid, place}}});
+        }
+        backend_.for_each(grid_count * pattern_.rays(), grids);
+        for (uint32_t place = 0; place < plans.size(); ++place)
+            backend_.for_each(pattern_.rays() / pattern_.together,
+                              SumWalks{pattern_, counts_.view().subspan(place * pattern_.rays(), pattern_.rays()),
+                                       {&totals().walks[place], 1}});
+        seen_.request(totals_);
+    }
+    /// Starts to measure the distances of a plan alone; see mean_distance().
+    void look_at_distances(const SceneView<Real>& scene, const GridBuilder<Backend, Real>& builder,
+                           const GridPlan& plan) {
+        begin(scene, builder, {&plan, 1});
+        map(scene, 0);
+        seen_.request(totals_);
     }
 
-    /// The mean distance over the empty bricks that `plan` would have. Waits for the device.
-    double mean_distance(const SceneView<Real>& scene, const GridBuilder<Backend, Real>& builder,
-                         const GridPlan& plan) {
-        PlannedMethod method;
-        SceneView<Real> planned = scene;
-        planned.grid = builder.planned(scene.geometry.bounds, plan);
-        map(planned, method);
-        return method.mean_distance;
+    /// After a synchronize(): what was found, in the order of the plans.
+    std::vector<PlannedMethod> methods() const {
+        std::vector<PlannedMethod> methods;
+        for (uint32_t place = 0; place < plans_.size(); ++place)
+            methods.push_back(method(place));
+        return methods;
+    }
+    /// After a synchronize(): over the empty bricks of the first plan.
+    double mean_distance() const {
+        const DistanceTotal& total = seen_.value().distances[0];
+        return total.empty ? double(total.sum) / double(total.empty) : 0.0;
     }
 
     /// Camera rays of a frame; adaptive antialiasing is taken to double them. Where the file shows the choice, it is
@@ -79,77 +95,91 @@ public:
         return samples * settings.width * settings.height;
     }
 
-    /// Gives the memory back.
-    void free() {
-        cloud_.free();
-        rays_.free();
-        counts_.free();
-    }
-
 private:
-    static constexpr uint32_t pixels_a_pilot = 512, fewest_pilots = 512, most_pilots = 2048, many_pilots = 8192;
+    static constexpr uint32_t pixels_a_pilot = 1024, fewest_pilots = 512, most_pilots = 2048, many_pilots = 8192;
     static constexpr uint32_t most_lights = 4, most_surfaces = 3;
     static constexpr uint32_t sampled_primitives = 16384;
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
-    double links(const SceneView<Real>& planned) {
-        const uint32_t primitives = planned.geometry.round_count();
-        const uint32_t stride = std::max(1u, primitives / sampled_primitives), sampled = primitives / stride;
-        const LinkTotal total =
-            backend_.template reduce<LinkTotal>(sampled, SampleLinks<Real>{planned.grid, planned.geometry, stride});
-        return double(total.links) * primitives / sampled;
+    /// What is counted, of each plan.
+    struct Totals {
+        uint64_t links[most_plans]{};
+        DistanceTotal distances[most_plans]{};
+        WalkTotal walks[most_plans]{};
+    };
+    Totals& totals() { return totals_.view()[0]; } ///< the device's: for addresses
+
+    void begin(const SceneView<Real>& scene, const GridBuilder<Backend, Real>& builder,
+               std::span<const GridPlan> plans) {
+        plans_.assign(plans.begin(), plans.end());
+        planned_.clear();
+        for (const GridPlan& plan : plans)
+            planned_.emplace_back(builder.planned(scene.geometry.bounds, plan)).cloud.metric = plan.metric;
+        primitives_ = scene.geometry.round_count();
+        stride_ = std::max(1u, primitives_ / sampled_primitives);
+        totals_.resize(1);
+        totals_.fill_bytes(0);
     }
 
-    void map(SceneView<Real>& planned, PlannedMethod& method) {
-        brick_counts_.resize(1);
-        brick_counts_.fill_bytes(0);
-        cloud_.mark(planned, method.plan.metric, brick_counts_.view());
-        cloud_.measure(planned.grid.cloud);
-        seen_counts_.request(brick_counts_);
-        backend_.synchronize();
-        method.mean_distance = cloud_.mean_distance();
-        method.occupied_bricks = seen_counts_.value().bricks;
-        method.work.bricks = double(planned.grid.cloud.brick_count());
-        method.work.distances = method.mean_distance * (method.work.bricks - method.occupied_bricks);
-        method.work.cells = std::ldexp(method.occupied_bricks, 3 * planned.grid.cloud.shift);
+    void sample_links(const GeometryView<Real>& geometry, uint32_t place) {
+        backend_.for_each(primitives_ / stride_,
+                          SampleLinks<Real>{planned_[place], geometry, stride_, {&totals().links[place], 1}});
     }
 
-    void count(const SceneView<Real>& scene, const GridView<Real>& planned, FrameWork& work) {
-        backend_.for_each(pattern_.rays(), CountWalk<Real>{scene, planned, rays_.view(), counts_.view()});
-        walks_.resize(pattern_.rays());
-        counts_.download(walks_.data());
-        const uint32_t group = pattern_.together;
-        for (uint32_t first = 0; first < pattern_.rays(); first += group) {
-            const bool to_light = first / pattern_.pilots() % (1 + pattern_.lights) > 0;
-            const double weight = (to_light ? light_share_ : 1.0) / pattern_.pilots();
-            const WalkCount* slowest = &walks_[first];
-            for (uint32_t i = first; i < first + group; ++i) {
-                add(work.mean, walks_[i], weight);
-                if (walks_[i].sum() > slowest->sum())
-                    slowest = &walks_[i];
-            }
-            add(work.together, *slowest, weight * group);
+    /// The scene with a planned cloud, whose distances last until the next one's.
+    SceneView<Real> map(SceneView<Real> scene, uint32_t place) {
+        scene.grid = planned_[place];
+        cloud_.mark_planned(scene, plans_[place].metric);
+        cloud_.measure(scene.grid.cloud, {&totals().distances[place], 1});
+        return scene;
+    }
+
+    PlannedMethod method(uint32_t place) const {
+        const Totals& totals = seen_.value();
+        const GridView<Real>& grid = planned_[place];
+        const DistanceTotal& distances = totals.distances[place];
+        PlannedMethod method{.plan = plans_[place]};
+        for (int i = 0; i < 3; ++i)
+            method.size[i] = uint32_t(grid.size[i]);
+        FrameWork& work = method.work;
+        work.primitives = primitives_;
+        work.pixels = pixels_;
+        work.links = double(totals.links[place]) * primitives_ / (primitives_ / stride_);
+        work.cells = double(grid.cell_count());
+        if (method.plan.has_cloud()) {
+            work.bricks = double(grid.cloud.brick_count());
+            work.distances = double(distances.sum) / grid.cloud.map_count();
+            method.occupied_bricks = work.bricks - double(distances.empty) / grid.cloud.map_count();
+            method.mean_distance = distances.empty ? double(distances.sum) / double(distances.empty) : 0.0;
+            work.cells = std::ldexp(method.occupied_bricks, 3 * grid.cloud.shift);
         }
-    }
-    static void add(FrameWork::Walk& walk, const WalkCount& count, double weight) {
-        walk.lookups += weight * count.lookups;
-        walk.tests += weight * count.tests;
-    }
-
-    static uint64_t bytes(const GridView<Real>& grid, const FrameWork& work) {
+        add(work.mean, totals.walks[place].all, 1.0);
+        add(work.together, totals.walks[place].slowest, pattern_.together);
         const double maps = work.bricks > 0 ? 2 * grid.cloud.map_count() : 0;
-        return uint64_t(work.cells * sizeof(uint32_t) + work.links * sizeof(GridLink) +
-                        work.primitives * sizeof(uint32_t) + work.bricks * (1 + sizeof(uint32_t) + maps));
+        method.bytes =
+            uint64_t(work.cells * sizeof(uint32_t) + work.links * sizeof(GridLink) +
+                     work.primitives * sizeof(uint32_t) + work.bricks * (1.0 / 8 + sizeof(uint32_t) + maps));
+        return method;
+    }
+    /// Of a pixel; rays to lights stand for those to the lights that were not looked at.
+    void add(FrameWork::Walk& walk, const WalkTotal::Part (&parts)[2], double weight) const {
+        for (int to_light = 0; to_light < 2; ++to_light) {
+            const double each = weight * (to_light ? light_share_ : 1.0) / pattern_.pilots();
+            walk.lookups += each * double(parts[to_light].lookups);
+            walk.tests += each * double(parts[to_light].tests);
+        }
     }
 
     Backend& backend_;
     CloudBuilder<Backend, Real> cloud_;
-    Buffer<GridCounts> brick_counts_;
-    typename Backend::template Receipt<GridCounts> seen_counts_{backend_};
     Buffer<PilotRay<Real>> rays_;
-    Buffer<WalkCount> counts_;
-    std::vector<WalkCount> walks_;
+    Buffer<WalkCount> counts_; ///< of each plan
+    Buffer<Totals> totals_;    ///< one
+    typename Backend::template Receipt<Totals> seen_;
+    std::vector<GridPlan> plans_;
+    std::vector<GridView<Real>> planned_;
     PilotPattern pattern_;
+    uint32_t primitives_ = 0, stride_ = 1;
     double pixels_ = 0;
     double light_share_ = 1; ///< lights over those that pilots look at
 };

@@ -5,21 +5,27 @@
 #include "renderer/frame_cost.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace proxima {
 
-/// Resolutions are tried in steps of 2 (grids) and 4 (clouds) voxels a primitive, uphill and downhill from where the
-/// method stood last. Looking costs pilot rays and, for clouds, their distances, so it is done now and then only, since
-/// a scene changes slowly; and a choice is given up for one that is clearly cheaper only.
+/// A look begins with where each method stood last and one resolution to either side, and goes on as long as the
+/// cheapest is the finest or the coarsest that was seen: steps of 2 (grids) and 4 (clouds) voxels a primitive. It may be
+/// spread over frames. It is made now and then only, less often as long as it changes nothing; and a choice is given
+/// up for one that is clearly cheaper only. What frames really take corrects what was foretold of their method; the
+/// other one is tried for a few frames, once, if it is in reach.
 class PlanChooser {
 public:
-    static constexpr uint32_t interval = 64;      ///< frames from one look to the next
+    static constexpr uint32_t interval = 64, longest_interval = 512; ///< frames from one look to the next
     static constexpr double clearly = 0.97;       ///< a cost over that of the present choice
     static constexpr double another_scene = 1.25; ///< times as many primitives, or as few
     static constexpr double out_of_reach = 1.5;   ///< a cloud that is not worth to be looked at in other resolutions
     static constexpr double first_grid = 2, first_cloud = 32; ///< voxels a primitive
+    static constexpr uint32_t timed_frames = 3;               ///< whose fastest counts
+    static constexpr double another_time = 1.5;               ///< times as long as then, or as short: time to look
 
     /// The ways that may be taken.
     struct Methods {
@@ -39,6 +45,9 @@ public:
     }
     void forget() {
         chosen_.reset();
+        seen_ = {};
+        is_looking_ = false;
+        corrections_ = {};
         grid_start_ = first_grid;
         cloud_start_ = first_cloud;
     }
@@ -51,85 +60,163 @@ public:
     bool has_choice() const { return chosen_.has_value(); }
     void start_with(const GridPlan& plan) {
         chosen_ = plan;
-        frames_left_ = 0;
+        is_guess_ = true;
+        interval_ = interval;
     }
     const GridPlan& choice() const { return *chosen_; }
 
-    /// Once a frame: whether it is time to look. Another number of primitives is another scene.
-    bool is_due(uint32_t primitives) {
+    /// Whether nothing was looked at yet: the choice is a first guess.
+    bool is_first_look() const { return chosen_ && is_guess_; }
+    /// Once a frame: whether to look at something, because a look has not ended, or because it is time for another. A
+    /// scene with many more or fewer primitives is another one.
+    bool looks_on(uint32_t primitives) {
+        if (is_looking_)
+            return true;
         const double change = (double(primitives) + 1) / (double(primitives_) + 1);
         if (frames_left_ > 0 && change < another_scene && change * another_scene > 1) {
             --frames_left_;
             return false;
         }
-        frames_left_ = interval - 1;
-        primitives_ = primitives;
+        begin_look(primitives);
         return true;
     }
 
-    /// Looks: `measure(plan)` gives the PlannedMethod of a plan. Returns what was seen, with the new choice picked.
-    template <class Measure> FramePlan look(const Measure& measure, bool at_everything = false) {
-        FramePlan seen;
-        std::optional<size_t> best;
+    /// A look begins; `at_everything`: at all resolutions.
+    void begin_look(uint32_t primitives, bool at_everything = false) {
+        is_looking_ = true;
+        at_everything_ = at_everything;
+        primitives_ = primitives;
+        seen_ = {};
+    }
+    bool is_looking() const { return is_looking_; }
+    /// What is to be looked at next, in any order, as far as can be told from what was seen; none: the look is over.
+    std::vector<GridPlan> wanted() const {
+        std::vector<GridPlan> plans;
         if (methods_.grid)
-            best = climb(seen, measure, grid_plan(1), grid_start_, 2, at_everything, 0);
-        if (methods_.cloud) {
-            const double bound = best ? out_of_reach * seen.methods[*best].cost.total() : infinity<double>;
-            const size_t cloud = climb(seen, measure, cloud_plan(1), cloud_start_, 4, at_everything, bound);
-            if (!best || cost_of(seen, cloud) < cost_of(seen, *best))
-                best = cloud;
+            climb(grid_plan(grid_start_), 2, coarsest_grid, finest_grid, plans);
+        if (methods_.cloud && !is_out_of_reach())
+            climb(cloud_plan(cloud_start_), 4, coarsest_cloud, finest_cloud, plans);
+        return plans;
+    }
+    /// Those were seen.
+    void see(const std::vector<PlannedMethod>& methods) {
+        seen_.methods.insert(seen_.methods.end(), methods.begin(), methods.end());
+    }
+    /// Ends the look by a choice. Returns what was seen, with the new choice picked.
+    FramePlan choose() {
+        is_looking_ = false;
+        const auto places = std::array{cheapest(false), cheapest(true)};
+        size_t best = !places[1] || (places[0] && cost(*places[0]) <= cost(*places[1])) ? *places[0] : *places[1];
+        for (size_t i = 0; i < seen_.methods.size(); ++i)
+            if (chosen_ && seen_.methods[i].plan == *chosen_ && !(cost(best) < clearly * cost(i)))
+                best = i;
+        seen_.picked = best;
+        for (const auto& place : places)
+            if (place)
+                (seen_.methods[*place].plan.has_cloud() ? cloud_start_ : grid_start_) =
+                    seen_.methods[*place].plan.voxels_per_primitive;
+        const bool is_as_before = !is_guess_ && chosen_ == seen_.methods[best].plan;
+        interval_ = is_as_before ? std::min(2 * interval_, longest_interval) : interval;
+        frames_left_ = interval_ - 1;
+        take(best);
+        is_guess_ = false;
+        return seen_;
+    }
+
+    /// A frame was made by the present choice, and by nothing else, in so many milliseconds (build, map and trace).
+    void time(double milliseconds) {
+        if (is_looking_ || is_guess_ || !chosen_ || seen_.methods.empty())
+            return;
+        if (timed_ == timed_frames) {
+            const bool is_off = milliseconds > another_time * fastest_ || milliseconds * another_time < fastest_;
+            frames_off_ = is_off ? frames_off_ + 1 : 0;
+            if (frames_off_ == timed_frames)
+                frames_left_ = 0;
+            return;
         }
-        const auto present = std::find_if(seen.methods.begin(), seen.methods.end(),
-                                          [&](const PlannedMethod& m) { return chosen_ && m.plan == *chosen_; });
-        if (present != seen.methods.end() && !(cost_of(seen, *best) < clearly * present->cost.total()))
-            best = size_t(present - seen.methods.begin());
-        seen.picked = *best;
-        chosen_ = seen.methods[*best].plan;
-        return seen;
+        fastest_ = timed_ == 0 ? milliseconds : std::min(fastest_, milliseconds);
+        if (++timed_ == timed_frames)
+            reconsider();
+    }
+    /// By what is foretold of a method is multiplied. A method that was never timed is like the other.
+    double correction(bool has_cloud) const {
+        const auto &own = corrections_[has_cloud], &other = corrections_[!has_cloud];
+        return own ? *own : other ? *other : 1.0;
     }
 
     /// Voxels a primitive that are looked at.
     static constexpr double coarsest_grid = 0.5, finest_grid = 32, coarsest_cloud = 2, finest_cloud = 2048;
 
 private:
-    static double cost_of(const FramePlan& seen, size_t place) { return seen.methods[place].cost.total(); }
+    double cost(size_t place) const {
+        const PlannedMethod& method = seen_.methods[place];
+        return method.cost.total() * correction(method.plan.has_cloud());
+    }
 
-    /// From `start` on, finer as long as that is cheaper, else coarser. Returns the place of the cheapest, which the
-    /// next climb starts from.
-    template <class Measure>
-    size_t climb(FramePlan& seen, const Measure& measure, GridPlan plan, double& start, double step, bool at_everything,
-                 double bound) {
-        const auto look_at = [&](double density) {
-            plan.voxels_per_primitive = density;
-            seen.methods.push_back(measure(plan));
-            return seen.methods.size() - 1;
-        };
-        const double coarsest = plan.has_cloud() ? coarsest_cloud : coarsest_grid;
-        const double finest = plan.has_cloud() ? finest_cloud : finest_grid;
-        const size_t first = look_at(start);
-        size_t best = first;
-        if (!at_everything && bound > 0 && cost_of(seen, first) > bound)
-            return first;
-        for (const double way : {step, 1 / step}) {
-            for (double density = start * way; density >= coarsest && density <= finest; density *= way) {
-                const size_t next = look_at(density);
-                const bool is_better = cost_of(seen, next) < cost_of(seen, best);
-                if (is_better)
-                    best = next;
-                else if (!at_everything)
-                    break;
-            }
-            if (best != first && !at_everything)
-                break;
-        }
-        start = seen.methods[best].plan.voxels_per_primitive;
+    void take(size_t place) {
+        chosen_ = seen_.methods[place].plan;
+        taken_ = place;
+        timed_ = frames_off_ = 0;
+    }
+    /// The present choice was timed: learns from that, and goes to the other method if that is cheaper or has yet to
+    /// be timed.
+    void reconsider() {
+        const bool has_cloud = chosen_->has_cloud();
+        corrections_[has_cloud] = fastest_ / seen_.methods[taken_].cost.total();
+        const auto present = cheapest(has_cloud), other = cheapest(!has_cloud);
+        if (!other)
+            return;
+        const bool is_unknown = !corrections_[!has_cloud];
+        if (cost(*other) < (is_unknown ? out_of_reach : clearly) * cost(taken_))
+            take(*other);
+        else if (cost(*present) < clearly * cost(taken_))
+            take(*present);
+    }
+
+    /// The place of the cheapest grid or cloud that was seen.
+    std::optional<size_t> cheapest(bool has_cloud) const {
+        std::optional<size_t> best;
+        for (size_t i = 0; i < seen_.methods.size(); ++i)
+            if (seen_.methods[i].plan.has_cloud() == has_cloud && (!best || cost(i) < cost(*best)))
+                best = i;
         return best;
+    }
+    bool is_out_of_reach() const {
+        const auto grid = cheapest(false), cloud = cheapest(true);
+        return !at_everything_ && grid && cloud && cost(*cloud) > out_of_reach * cost(*grid);
+    }
+
+    /// Adds the plans like `start` that are to be looked at next.
+    void climb(GridPlan start, double step, double coarsest, double finest, std::vector<GridPlan>& plans) const {
+        const auto want = [&](double density) {
+            GridPlan plan = start;
+            plan.voxels_per_primitive = density;
+            const bool is_seen = std::any_of(seen_.methods.begin(), seen_.methods.end(),
+                                             [&](const PlannedMethod& method) { return method.plan == plan; });
+            if (!is_seen && density >= coarsest && density <= finest)
+                plans.push_back(plan);
+        };
+        if (at_everything_) {
+            for (double density = coarsest; density <= finest; density *= step)
+                want(density);
+            return;
+        }
+        const auto best = cheapest(start.has_cloud());
+        const double center = best ? seen_.methods[*best].plan.voxels_per_primitive : start.voxels_per_primitive;
+        for (const double density : {center, center * step, center / step})
+            want(density);
     }
 
     Methods methods_;
     std::optional<GridPlan> chosen_;
     double grid_start_ = first_grid, cloud_start_ = first_cloud;
-    uint32_t frames_left_ = 0;
+    FramePlan seen_;   ///< in this look, or else the last one
+    size_t taken_ = 0; ///< of what was seen
+    std::array<std::optional<double>, 2> corrections_; ///< of grids and of clouds
+    double fastest_ = 0;                               ///< of the frames that were timed, in milliseconds
+    uint32_t timed_ = 0, frames_off_ = 0;
+    bool is_guess_ = false, is_looking_ = false, at_everything_ = false;
+    uint32_t interval_ = interval, frames_left_ = 0;
     uint32_t primitives_ = 0; ///< when it was looked last
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame's grid or cloud: the one that is asked for, or the one that is chosen, now and then, by looking ahead.
+// A frame's grid or cloud: the one that is asked for, or the one that is chosen, now and then, by looking ahead: at a
+// first frame all at once, later a plan a frame, which nobody waits for.
 #pragma once
 #include "renderer/frame_survey.h"
 #include "renderer/grid_builder.h"
 #include "renderer/plan_chooser.h"
+
+#include <utility>
 
 namespace proxima {
 
@@ -22,18 +25,21 @@ public:
                const Step& step) {
         const bool uses_grid = wants_grid(settings, scene);
         const bool is_asked_for = settings.grid[0] != 0 || settings.density != 0;
+        take_over_look();
+        is_chosen_ = false;
         if (!is_asked_for)
             allow_methods(settings, how);
         const bool is_known = is_asked_for || chooser_.has_choice();
-        const bool looks =
-            uses_grid && (how != Look::when_due || (!is_asked_for && chooser_.is_due(scene.geometry.round_count())));
-        plan_ = looks ? FramePlan{} : plan_;
+        const bool looks_now =
+            uses_grid && (how != Look::when_due || (!is_asked_for && (!is_known || chooser_.is_first_look())));
+        if (is_asked_for || looks_now)
+            plan_ = {};
         if (is_known)
             built_ = is_asked_for ? asked_for(settings) : chooser_.choice();
         step(FrameStep::build, [&] {
             builder_.find_bounds(scene.geometry);
             if (uses_grid && is_known)
-                builder_.build(scene, built_, looks);
+                builder_.build(scene, built_, looks_now);
         });
         if (!uses_grid || !builder_.has_bounded())
             return;
@@ -43,17 +49,32 @@ public:
         } else {
             map(scene, step);
         }
-        if (looks)
-            look_around(scene, needs, settings, how, is_asked_for, step);
+        if (looks_now && is_asked_for && how != Look::when_due)
+            step(FrameStep::choose, [&] { look_at_built(scene, needs, settings); });
+        else if (looks_now && !is_asked_for)
+            look_around(scene, needs, settings, how, step);
+        else if (!is_asked_for && chooser_.looks_on(scene.geometry.round_count()))
+            step(FrameStep::choose, [&] { look_on(scene, needs, settings); });
+        is_chosen_ = !is_asked_for && !looks_now;
+    }
+    /// What the frame that was built last took to build and to trace. Where the file shows the choice, clocks have no
+    /// part in it, since every frame chooses anew.
+    void time(double milliseconds) {
+        if (std::exchange(is_chosen_, false))
+            chooser_.time(milliseconds);
     }
 
     /// As those of GridBuilder.
-    bool is_complete() { return builder_.is_complete(); }
+    bool is_complete() {
+        const bool whole = builder_.is_complete();
+        looks_on_ = looks_on_ && whole; // pilots have seen nothing else
+        return whole;
+    }
     void report(const GridView<Real>& grid, FrameStatistics& statistics) const {
         builder_.report(grid, statistics);
         for (const PlannedMethod& method : plan_.methods)
             if (grid.in_use() && method.plan == built_)
-                statistics.predicted_ms = method.cost.total();
+                statistics.predicted_ms = method.cost.total() * chooser_.correction(method.plan.has_cloud());
     }
     /// As seen last.
     const FramePlan& plan() const { return plan_; }
@@ -98,8 +119,9 @@ private:
 
     /// Before anything was looked at, what lies between the primitives tells what to begin with.
     void begin(const SceneView<Real>& scene) {
-        const bool is_sparse = survey_.mean_distance(scene, builder_, chooser_.cloud_plan()) >= far_apart;
-        built_ = is_sparse ? chooser_.cloud_plan() : chooser_.grid_plan();
+        survey_.look_at_distances(scene, builder_, chooser_.cloud_plan());
+        backend_.synchronize();
+        built_ = survey_.mean_distance() >= far_apart ? chooser_.cloud_plan() : chooser_.grid_plan();
         chooser_.start_with(built_);
     }
 
@@ -112,20 +134,29 @@ private:
             step(FrameStep::map, [&] { builder_.build_distances(scene); });
     }
 
-    /// Chooses anew, by what the frame would do with other grids and clouds. This frame is made with the choice only if
-    /// building it a second time pays at once.
+    /// What the device takes for what was counted.
+    std::vector<PlannedMethod> priced_methods() const {
+        std::vector<PlannedMethod> methods = survey_.methods();
+        for (PlannedMethod& method : methods)
+            method.cost = backend_.costs().of(method.plan).cost(method.work);
+        return methods;
+    }
+
+    /// Chooses anew, by what the frame would do with other grids and clouds, and waits for that. This frame is made
+    /// with the choice only if building it a second time pays at once.
     template <class Step>
     void look_around(SceneView<Real>& scene, const SceneNeeds& needs, const FrameSettings& settings, Look how,
-                     bool is_asked_for, const Step& step) {
+                     const Step& step) {
         step(FrameStep::choose, [&] {
             survey_.send_pilots(scene, needs, settings, how == Look::at_everything);
-            const auto look_at = [&](const GridPlan& plan) {
-                PlannedMethod method = survey_.look_at(scene, builder_, plan);
-                method.cost = backend_.costs().of(plan).cost(method.work);
-                return method;
-            };
-            plan_ = is_asked_for ? FramePlan{.methods = {look_at(built_)}}
-                                 : chooser_.look(look_at, how == Look::at_everything);
+            chooser_.begin_look(scene.geometry.round_count(), how == Look::at_everything);
+            for (auto plans = chooser_.wanted(); !plans.empty(); plans = chooser_.wanted()) {
+                plans.resize(std::min<size_t>(plans.size(), survey_.most_plans));
+                survey_.look_at(scene, builder_, plans);
+                backend_.synchronize();
+                chooser_.see(priced_methods());
+            }
+            plan_ = chooser_.choose();
         });
         const PlannedMethod& picked = plan_.methods[plan_.picked];
         for (const PlannedMethod& method : plan_.methods)
@@ -134,6 +165,27 @@ private:
                 return build_again(scene, step);
             }
     }
+    /// The same for one plan of many, without waiting: the next frame takes over what was found.
+    void look_on(const SceneView<Real>& scene, const SceneNeeds& needs, const FrameSettings& settings) {
+        survey_.send_pilots(scene, needs, settings);
+        const std::vector<GridPlan> wanted = chooser_.wanted();
+        survey_.look_at(scene, builder_, {wanted.data(), 1});
+        looks_on_ = true;
+    }
+    void take_over_look() {
+        if (!std::exchange(looks_on_, false) || !chooser_.is_looking())
+            return;
+        chooser_.see(priced_methods());
+        if (chooser_.wanted().empty())
+            plan_ = chooser_.choose();
+    }
+    /// What is foretold of the grid that was asked for.
+    void look_at_built(const SceneView<Real>& scene, const SceneNeeds& needs, const FrameSettings& settings) {
+        survey_.send_pilots(scene, needs, settings);
+        survey_.look_at(scene, builder_, {&built_, 1});
+        backend_.synchronize();
+        plan_ = {.methods = priced_methods()};
+    }
 
     Backend& backend_;
     GridBuilder<Backend, Real> builder_;
@@ -141,6 +193,8 @@ private:
     PlanChooser chooser_;
     GridPlan built_;
     FramePlan plan_;
+    bool is_chosen_ = false; ///< and nothing else: what the last frame was built with
+    bool looks_on_ = false;  ///< the survey's results are to be taken over
 };
 
 } // namespace proxima

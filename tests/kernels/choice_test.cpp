@@ -94,15 +94,19 @@ public:
     /// As FramePipeline does: what is chosen for a first frame.
     GridPlan choose(const CostCoefficients& costs) {
         PlanChooser chooser;
-        const bool is_sparse = survey_.mean_distance(view_, builder_, chooser.cloud_plan()) >= 3.5;
-        chooser.start_with(is_sparse ? chooser.cloud_plan() : chooser.grid_plan());
+        survey_.look_at_distances(view_, builder_, chooser.cloud_plan());
+        chooser.start_with(survey_.mean_distance() >= 3.5 ? chooser.cloud_plan() : chooser.grid_plan());
         build(chooser.choice());
         survey_.send_pilots(view_, scene_.needs(), settings_);
-        chooser.look([&](const GridPlan& plan) {
-            PlannedMethod method = survey_.look_at(view_, builder_, plan);
-            method.cost = costs.of(plan).cost(method.work);
-            return method;
-        });
+        chooser.begin_look(view_.geometry.round_count());
+        for (auto plans = chooser.wanted(); !plans.empty(); plans = chooser.wanted()) {
+            survey_.look_at(view_, builder_, plans);
+            auto methods = survey_.methods();
+            for (PlannedMethod& method : methods)
+                method.cost = costs.of(method.plan).cost(method.work);
+            chooser.see(methods);
+        }
+        chooser.choose();
         return chooser.choice();
     }
 
@@ -143,7 +147,8 @@ public:
     }
     PlannedMethod foretold(const GridPlan& plan) {
         survey_.send_pilots(view_, scene_.needs(), settings_);
-        return survey_.look_at(view_, builder_, plan);
+        survey_.look_at(view_, builder_, {&plan, 1});
+        return survey_.methods().front();
     }
 
 private:
