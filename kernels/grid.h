@@ -90,7 +90,7 @@ HD void for_each_cell(const GridView<Real>& grid, const Sphere<Real>& sphere, co
             const Real half2 = radius * radius - dz * dz - dy * dy;
             if (half2 < 0)
                 continue;
-            const Real half = square_root(half2);
+            const Real half = half2 >= 0 ? square_root(half2) : radius; // no number where squares are too large
             const int32_t x_end = grid.cell(center.x + half, 0);
             for (int32_t x = grid.cell(center.x - half, 0); x <= x_end; ++x)
                 visit(x, y, z);

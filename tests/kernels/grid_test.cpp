@@ -52,6 +52,27 @@ TEST_CASE("grid: each sphere is listed once in every cell it touches, and in har
     }
 }
 
+TEST_CASE("grid: a sphere whose square is no number is listed where it is, and nowhere outside") {
+    std::mt19937 engine(12);
+    const auto uniform = [&](float low, float high) { return low + (high - low) * float(engine() / 4294967296.0); };
+    const float scale = std::ldexp(1.0f, 100);
+    const Vec3<int32_t> size(20, 10, 20);
+    const GridView<float> grid = make_grid(Box<float>{{-1, 0, 2}, {3, 1, 7}}, size);
+    const GridView<float> scaled = make_grid(Box<float>{{-scale, 0, 2 * scale}, {3 * scale, scale, 7 * scale}}, size);
+    for (int i = 0; i < 200; ++i) {
+        const Sphere<float> sphere{{uniform(-1, 3), uniform(0, 1), uniform(2, 7)}, uniform(0.001f, 0.5f)};
+        std::set<uint32_t> missing;
+        for_each_cell(grid, sphere, [&](int x, int y, int z) { missing.insert(grid.index(x, y, z)); });
+        bool outside = false;
+        for_each_cell(scaled, Sphere<float>{sphere.center * scale, sphere.radius * scale}, [&](int x, int y, int z) {
+            outside = outside || x < 0 || y < 0 || z < 0 || x >= size.x || y >= size.y || z >= size.z;
+            missing.erase(grid.index(x, y, z));
+        });
+        REQUIRE_FALSE(outside);
+        REQUIRE(missing.empty());
+    }
+}
+
 static uint32_t index_at(const GridView<double>& grid, const Vec3<double>& point) {
     const Vec3<int32_t> cell = grid.cell_at(point);
     return grid.index(cell.x, cell.y, cell.z);
