@@ -102,7 +102,7 @@ struct GridCounts {
 };
 
 /// Primitive -> the bricks that it overlaps are occupied: they get a mark, a rank and empty lists. Where there is room
-/// for fewer, the others share the first one's lists: wrong ones, but such as can be walked.
+/// for fewer, the others have no mark, and so no distance of 0: rays pass them by.
 template <class Real> struct MarkBricks {
     static constexpr uint32_t no_rank = 0xffffffffu, claimed = 0xfffffffeu;
 
@@ -122,11 +122,12 @@ private:
         if (load_relaxed(place) != no_rank || atomic_compare_exchange(place, no_rank, claimed) != no_rank)
             return;
         const uint32_t rank = atomic_add(&counts[0].bricks, 1);
-        marks.set(row, x);
+        store_relaxed(place, rank);
         const uint64_t voxels = 1u << (3 * grid.cloud.shift), first = rank * voxels;
-        const bool fits = first + voxels <= grid.heads.size();
-        store_relaxed(place, fits ? rank : 0); // rays may come before it is known that there was too little room
-        for (uint64_t voxel = first; fits && voxel < first + voxels; ++voxel)
+        if (first + voxels > grid.heads.size())
+            return; // without a mark: rays may come before it is known that there was too little room
+        marks.set(row, x);
+        for (uint64_t voxel = first; voxel < first + voxels; ++voxel)
             grid.heads[voxel] = no_link;
     }
 };
