@@ -9,8 +9,8 @@
 
 namespace proxima {
 
-/// Blocks of threads that share a multiprocessor while rays are on their way; 40 registers each. 10, 12 and 16 are
-/// equally fast on an H100: see tests/bench/NOTES.md.
+/// Blocks of threads that share a multiprocessor while rays are on their way; 40 registers a thread. 8, 10 and 16 are
+/// slower or no faster on an H200: see tests/bench/NOTES.md.
 inline constexpr uint32_t most_blocks = 12;
 
 /// A pass over a wave of pixels in tiled order; one sample of each.
@@ -38,9 +38,6 @@ template <class Real> struct FirstHitPass {
             visit(place, SourcedRay<Real>{pixel_ray(camera_in<Real>(scene.camera), film,
                                                     film.in_whole(tiled_pixel(first + index, film.width)), sample),
                                           {}});
-    }
-    HD Surface<Real> surface_of(const SourcedRay<Real>& ray, const Hit<Real>& hit) const {
-        return surface_at(scene, ray, rebase(ray, scene.geometry.bounds), hit);
     }
     /// The light that comes back along a ray's direction. `surface`: that it met first, or null; `shadows`: bit i says
     /// that light i does not shine there.

@@ -8,7 +8,7 @@
 
 namespace proxima {
 
-/// Tile -> the light of its samples, added to the film. `pass` has no arrays; its `first` is a whole number of tiles.
+/// Tile -> the light of its samples, added to the film. The `first` of `pass` is a whole number of tiles.
 template <class Real> struct TraceFirstHitTile {
     static constexpr uint32_t lanes = RayPacket<Real>::lanes;
 
