@@ -51,17 +51,20 @@ struct FilmView {
 /// Pixels are traced in tiles of 8x4, so that neighbours in a warp or a cache see the same primitives.
 inline constexpr uint32_t tile_width = 8, tile_height = 4;
 
+/// Tiles come in groups of 2 by 2.
 HD inline uint64_t tiled_pixel_count(uint32_t width, uint32_t height) {
-    return uint64_t((width + tile_width - 1) / tile_width) * ((height + tile_height - 1) / tile_height) *
-           (tile_width * tile_height);
+    constexpr uint32_t group_width = 2 * tile_width, group_height = 2 * tile_height;
+    return uint64_t((width + group_width - 1) / group_width) * ((height + group_height - 1) / group_height) *
+           (group_width * group_height);
 }
 
 HD inline PixelPosition tiled_pixel(uint64_t index, uint32_t width) {
-    const uint32_t tiles_across = (width + tile_width - 1) / tile_width;
-    const uint64_t tile = index / (tile_width * tile_height);
-    const uint32_t within = uint32_t(index % (tile_width * tile_height));
-    return {uint32_t(tile % tiles_across) * tile_width + within % tile_width,
-            uint32_t(tile / tiles_across) * tile_height + within / tile_width};
+    constexpr uint32_t tile = tile_width * tile_height;
+    const uint32_t groups_across = (width + 2 * tile_width - 1) / (2 * tile_width);
+    const uint32_t group = uint32_t(index / (4 * tile)); // films have fewer: see FramePipeline
+    const uint32_t in_group = uint32_t(index / tile) % 4, within = uint32_t(index) % tile;
+    return {(group % groups_across * 2 + in_group % 2) * tile_width + within % tile_width,
+            (group / groups_across * 2 + in_group / 2) * tile_height + within / tile_width};
 }
 
 /// Where sample `index` lies in its pixel, in [0, 1): the R2 sequence from the centre on (Roberts, "The Unreasonable

@@ -24,7 +24,8 @@ template <class Real> struct TraceFirstHitTile {
             if (pixels.places[lane] != pass.nowhere)
                 pass.add(pixels.places[lane],
                          pass.light_of(pixels.rays.ray(lane).direction,
-                                       pixels.hits(lane) ? &pixels.surfaces[lane] : nullptr, pixels.shadows[lane]));
+                                       pixels.hits(lane) ? &pixels.surfaces[lane] : nullptr,
+                                       [&](uint32_t light, const auto&) { return pixels.shadows[lane] >> light & 1; }));
     }
 
 private:
@@ -41,7 +42,7 @@ private:
     /// are not where the rest is.
     HD void aim(PixelPosition corner, RayPacket<Real>& rays) const {
         const FilmView film = pass.film;
-        const Camera<Real> camera = camera_in<Real>(pass.scene.camera);
+        const Camera<Real> camera = pass.camera;
         const Box<Real> bounds = pass.scene.geometry.bounds;
         const HitLimits<Real> limits = pass.scene.limits;
         const SampleOffset<Real> offset = sample_offset<Real>(film, pass.sample);
@@ -57,9 +58,9 @@ private:
         const SceneView<Real>& scene = pass.scene;
         const HitLimits<Real>& limits = scene.limits;
         RayPacket<Real>& rays = pixels.rays;
-        aim(tiled_pixel(pass.first + first, pass.film.width), rays);
+        aim(pass.pixel(first), rays);
         for (uint32_t lane = 0; lane < lanes; ++lane) {
-            pixels.places[lane] = pass.place_of(first + lane);
+            pixels.places[lane] = pass.place_of(pass.pixel(first + lane));
             pixels.shadows[lane] = 0;
             if (pixels.places[lane] == pass.nowhere)
                 rays.set_idle(lane);

@@ -85,6 +85,35 @@ template <class Real> HD_INNER Approach<Real> approach(const Sphere<Real>& spher
     return {from_center, radius2, b, radius2 - glm::dot(closest, closest)};
 }
 
+/// For rays whose origins are at most R from the centres. With u = 2^-24 either way of rounding puts the closest point
+/// up to 3 u R aside along the ray and another 4 u R off; with what the last squares and sums lose it is less than
+/// 24 u R. Where R is so small that squares vanish no slack is enough.
+HD inline float rounding_slack(float r) {
+    return r > 1e-12f ? r * 0x1.8p-20f : infinity<float>;
+}
+HD inline double rounding_slack(double r) {
+    return r > 1e-145 ? r * 0x1.8p-49 : infinity<double>;
+}
+
+/// Whether a ray certainly misses a sphere, in fewer instructions than approach() takes: with fused multiplications,
+/// whose rounding may differ from processor to processor, since what they leave to the exact test has no mark on the
+/// picture. `slack`: what rounding may make of the distance between ray and centre; see rounding_slack().
+HD_INNER bool passes_by([[maybe_unused]] const Sphere<float>& sphere, [[maybe_unused]] const Ray<float>& ray,
+                        [[maybe_unused]] float slack) {
+#if defined(__CUDA_ARCH__)
+    const Vec3<float> o = ray.origin - sphere.center, &d = ray.direction;
+    const float b = -__fmaf_rn(o.z, d.z, __fmaf_rn(o.y, d.y, o.x * d.x));
+    const float x = __fmaf_rn(b, d.x, o.x), y = __fmaf_rn(b, d.y, o.y), z = __fmaf_rn(b, d.z, o.z);
+    const float reach = sphere.radius + slack;
+    return __fmaf_rn(z, z, __fmaf_rn(y, y, x * x)) > reach * reach;
+#else
+    return false;
+#endif
+}
+HD_INNER bool passes_by(const Sphere<double>&, const Ray<double>&, double) {
+    return false;
+}
+
 /// The chord of a ray that does not miss; see Approach.
 template <class Real> HD_INNER Chord<Real> chord(Real closest, Real half_chord2, Real power) {
     const Real half_chord = square_root(half_chord2);

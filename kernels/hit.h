@@ -95,13 +95,19 @@ template <class Real> struct Search {
         const Sphere<Real> sphere = scene.geometry.spheres[id];
         return intersect(sphere, ray.ray, beyond(id), scene.limits.min_half_chord2);
     }
-    /// Calls found(distance) if the ray meets a sphere: most that it is shown it misses, and nothing more is done then.
+    /// Calls found(distance) if the ray meets a sphere of the grid beyond where it starts, other than the one that it
+    /// starts on: most that it is shown it misses, and nothing more is done then.
     template <class Found> HD_INNER bool at_sphere(uint32_t id, const Found& found) const {
         const Sphere<Real> sphere = scene.geometry.spheres[id]; // in one load
-        const Approach<Real> met = approach(sphere, ray.ray);
-        if (!(met.half_chord2 > scene.limits.min_half_chord2))
+        if (passes_by(sphere, ray.ray, scene.geometry.slack))
             return false;
-        return found(chord(met).beyond(beyond(id)));
+        const Approach<Real> met = approach(sphere, ray.ray);
+        if (!(met.half_chord2 > scene.limits.min_half_chord2) || id == ray.source.primitive)
+            return false;
+        const Real from = beyond(id), power = met.power();
+        if (met.closest < 0 && power > 0 && from >= 0)
+            return false; // it lies behind, without a root or a division
+        return found(chord(met.closest, met.half_chord2, power).beyond(from));
     }
     HD Real distance_to_plane(uint32_t id) const {
         return intersect(scene.geometry.plane(id), ray.ray, beyond(id), scene.limits.min_cosine);

@@ -62,6 +62,7 @@ template <class Real> struct GeometryView : ShapesView<Real> {
     Real large_radius = infinity<Real>;
     /// Padded. When nothing is bounded, a ray goes through it without being moved.
     Box<Real> bounds{Vec3<Real>(infinity<Real>), Vec3<Real>(-infinity<Real>)};
+    Real slack = infinity<Real>; ///< rounding_slack() within the bounds
 
     HD uint32_t material(uint32_t id) const {
         return is_sphere(id) ? sphere_materials[id] : is_plane(id) ? plane(id).material : ellipsoid(id).material;

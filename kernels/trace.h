@@ -76,7 +76,7 @@ template <class Real, Features features, RoundShapes shapes = RoundShapes::all, 
         Real ior = Real(1);
         if constexpr (!ends)
             ior = far_over_near_ior(scene, interiors, surface.primitive);
-        const LayerStack<Real, plain> layers{scene, seen, -glm::dot(direction, seen.normal), ior};
+        const LayerStack<Real, plain> layers(scene, seen, -glm::dot(direction, seen.normal), ior);
         sum += path.throughput * layers.glow();
         for (const Light<Real>& light : scene.lights)
             sum += path.throughput * light_from(light, surface, layers, direction);

@@ -115,17 +115,21 @@ private:
     }
 };
 
-/// Shows a visitor the list of a slot; true when the visitor has seen enough.
+/// Shows a visitor a list that begins with `link`; true when the visitor has seen enough. Each link is on its way
+/// from memory while the primitive before it is met.
 template <RoundShapes shapes, class Real, class Visitor>
-HD_INNER bool meet_list(const GridView<Real>& grid, uint32_t slot, Visitor& visitor) {
-    uint32_t link = grid.heads[slot];
-    while (link != no_link) {
-        const GridLink current = grid.links[link];
-        link = current.next;
+HD_INNER bool meet_list(const GridView<Real>& grid, uint32_t link, Visitor& visitor) {
+    if (link == no_link)
+        return false;
+    for (GridLink current = grid.links[link];;) {
+        const bool is_last = current.next == no_link;
+        const GridLink next = is_last ? current : grid.links[current.next];
         if (shapes == RoundShapes::spheres ? visitor.meet_sphere(current.primitive) : visitor.meet(current.primitive))
             return true;
+        if (is_last)
+            return false;
+        current = next;
     }
-    return false;
 }
 
 /// A ray's way through a grid whose every voxel has a list. It keeps its numbers apart from GridWalk's: one place for
@@ -137,19 +141,18 @@ public:
 
     /// False at the end of the grid, or when the visitor has seen enough.
     template <class Visitor> HD_INNER bool turn(const GridView<Real>& grid, Visitor& visitor) {
-        if (meet_list<shapes>(grid, voxel_, visitor))
-            return false;
         const Real x = crossings_[0].at(plane_.x), y = crossings_[1].at(plane_.y), z = crossings_[2].at(plane_.z);
         const Real leave = lesser(lesser(x, y), z);
-        if (visitor.is_done(leave) || leave >= end_)
-            return false;
         // Without branches, which threads that go different ways would take one after the other.
         const bool along_x = leave == x, along_y = !along_x && leave == y, along_z = !along_x && !along_y;
         plane_.x += along_x ? crossings_[0].step() : Real(0);
         plane_.y += along_y ? crossings_[1].step() : Real(0);
         plane_.z += along_z ? crossings_[2].step() : Real(0);
         voxel_ += uint32_t(along_x ? way_[0] : along_y ? way_[1] : way_[2]);
-        return true;
+        const bool is_last = leave >= end_;
+        const uint32_t here = head_;
+        head_ = is_last ? no_link : grid.heads[voxel_]; // on its way while this voxel's list is met
+        return !(meet_list<shapes>(grid, here, visitor) || is_last || visitor.is_done(leave));
     }
 
 private:
@@ -166,12 +169,14 @@ private:
             way_[i] = upwards ? stride : -stride;
             stride *= grid.size[i];
         }
+        head_ = grid.heads[voxel_];
     }
 
     Crossing<Real> crossings_[3];
     Vec3<Real> plane_; ///< whole numbers: where the ray leaves its voxel
     int32_t way_[3];   ///< in voxels, to the next one
     uint32_t voxel_ = 0;
+    uint32_t head_;             ///< of its list
     Real end_ = infinity<Real>; ///< of the grid
 };
 
@@ -184,28 +189,36 @@ public:
     HD LeapWalk(const GridView<Real>& grid, const Ray<Real>& ray) : place_(grid, ray) {
         if (grid.cloud.metric == Metric::octant)
             map_ = place_.octant() * grid.cloud.brick_count();
+        look_up(grid);
     }
 
     template <class Visitor> HD_INNER bool turn(const GridView<Real>& grid, Visitor& visitor) {
-        const CloudView& cloud = grid.cloud;
-        const uint32_t brick = cloud.brick(place_.cell.x, place_.cell.y, place_.cell.z);
-        const int32_t distance = cloud.distances[size_t(map_) + brick]; // 0 where the brick is occupied
-        if (distance == 0) {
-            const uint32_t slot =
-                cloud.ranks[brick] << (3 * cloud.shift) | cloud.place(place_.cell.x, place_.cell.y, place_.cell.z);
-            if (meet_list<shapes>(grid, slot, visitor))
-                return false;
-        }
+        const uint32_t here = head_;
+        const int32_t distance = distance_;
         // One piece of code for steps and leaps: threads of a warp do either at the same time.
         const bool inside = leap == LeapKind::by_length && distance > 0
                                 ? place_.leap_by_length(grid, distance)
-                                : place_.leave_block(grid, distance > 0 ? cloud.shift : 0, larger(distance, 1));
-        return inside && !visitor.is_done(place_.now);
+                                : place_.leave_block(grid, distance > 0 ? grid.cloud.shift : 0, larger(distance, 1));
+        if (inside)
+            look_up(grid); // on its way while this voxel's list is met
+        return !(meet_list<shapes>(grid, here, visitor) || !inside || visitor.is_done(place_.now));
     }
 
 private:
+    HD_INNER void look_up(const GridView<Real>& grid) {
+        const CloudView& cloud = grid.cloud;
+        const uint32_t brick = cloud.brick(place_.cell.x, place_.cell.y, place_.cell.z);
+        distance_ = cloud.distances[size_t(map_) + brick]; // 0 where the brick is occupied
+        head_ = no_link;
+        if (distance_ == 0)
+            head_ = grid.heads[cloud.ranks[brick] << (3 * cloud.shift) |
+                               cloud.place(place_.cell.x, place_.cell.y, place_.cell.z)];
+    }
+
     GridWalk<Real> place_;
-    uint32_t map_ = 0; ///< where the ray's octant begins
+    uint32_t map_ = 0;     ///< where the ray's octant begins
+    int32_t distance_ = 0; ///< in bricks
+    uint32_t head_ = no_link;
 };
 
 /// Shows a visitor the lists of the voxels along a ray, in order, until it is done. Returns how many voxels, and bricks

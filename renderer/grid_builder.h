@@ -55,6 +55,7 @@ public:
             list_large(geometry, total.large);
         if (total.bounded > 0)
             geometry.bounds = padded(total.box);
+            geometry.slack = rounding_slack(glm::length(geometry.bounds.upper - geometry.bounds.lower));
         bounded_ = total.bounded;
     }
 

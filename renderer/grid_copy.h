@@ -19,6 +19,7 @@ public:
     template <class Real> void take(SceneView<Real>& scene, const SceneView<Real>& built, Backend& other) {
         scene.geometry.large_radius = built.geometry.large_radius;
         scene.geometry.bounds = built.geometry.bounds;
+        scene.geometry.slack = built.geometry.slack;
         scene.geometry.large = built.geometry.large;
         scene.grid = built.grid;
         copy(0, scene.geometry.large, other);
