@@ -99,28 +99,49 @@ HD void for_each_cell(const GridView<Real>& grid, const Sphere<Real>& sphere, co
 }
 
 /// The voxels that a sphere, inflated, overlaps, when it spans at most two along each axis: bit x + 2 y + 4 z of `mask`
-/// is the voxel (x, y, z) behind the first one. The same as those of for_each_cell.
+/// is the voxel (x, y, z) behind the first one. Those of for_each_cell but for its rounding, without loops that
+/// threads would go through at different paces.
 struct SmallCells {
     Vec3<int32_t> first{0};
     uint32_t mask = 0;
     bool is_small = false;
+
+    HD uint32_t count() const {
+        uint32_t count = 0;
+        for (int i = 0; i < 8; ++i)
+            count += mask >> i & 1;
+        return count;
+    }
+    /// Calls visit(x, y, z) for each of them.
+    template <class Visit> HD void for_each(const Visit& visit) const {
+        for (int i = 0; i < 8; ++i)
+            if (mask >> i & 1)
+                visit(first.x + (i & 1), first.y + (i >> 1 & 1), first.z + (i >> 2));
+    }
 };
 
 template <class Real> HD SmallCells small_cells(const GridView<Real>& grid, const Sphere<Real>& sphere) {
     const Vec3<Real> center = sphere.center - grid.lower;
     const Real radius = sphere.radius + grid.inflation;
     SmallCells cells;
-    int32_t span = 0;
+    Real gap2[3][2]; // along an axis, to the first and the second voxel; squared
+    int32_t span[3];
     for (int i = 0; i < 3; ++i) {
         cells.first[i] = grid.cell(center[i] - radius, i);
-        span = larger(span, grid.cell(center[i] + radius, i) - cells.first[i]);
+        span[i] = grid.cell(center[i] + radius, i) - cells.first[i];
+        const Real low = Real(cells.first[i]) * grid.voxel[i], middle = Real(cells.first[i] + 1) * grid.voxel[i];
+        const Real below = larger(larger(low - center[i], center[i] - middle), Real(0));
+        const Real above = larger(middle - center[i], Real(0)); // that it ends beyond is known
+        gap2[i][0] = below * below;
+        gap2[i][1] = above * above;
     }
-    cells.is_small = span <= 1;
-    if (!cells.is_small)
-        return cells;
-    for_each_cell(grid, sphere, [&](int32_t x, int32_t y, int32_t z) {
-        cells.mask |= 1u << ((x - cells.first.x) + 2 * (y - cells.first.y) + 4 * (z - cells.first.z));
-    });
+    cells.is_small = larger(larger(span[0], span[1]), span[2]) <= 1;
+    for (int i = 0; i < 8; ++i) {
+        const int x = i & 1, y = i >> 1 & 1, z = i >> 2;
+        const bool overlaps =
+            x <= span[0] && y <= span[1] && z <= span[2] && gap2[2][z] + gap2[1][y] + gap2[0][x] <= radius * radius;
+        cells.mask |= uint32_t(overlaps) << i;
+    }
     return cells;
 }
 

@@ -84,16 +84,31 @@ template <class Real> struct ListLarge {
     }
 };
 
-template <class Real, class Visit>
-HD void for_each_cell_of(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id,
-                         const Visit& visit) {
+/// The voxels of a primitive that needs few of them; none of one that the grid does not hold. Otherwise it is not
+/// small.
+template <class Real>
+HD SmallCells small_cells_of(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id) {
     const Real radius = geometry.radius(id);
     if (!(radius > 0) || radius > geometry.large_radius)
-        return;
-    if (geometry.is_sphere(id))
+        return {.is_small = true};
+    return geometry.is_sphere(id) ? small_cells(grid, geometry.spheres[id]) : SmallCells{};
+}
+
+/// Calls visit(x, y, z) for each voxel of a primitive, given what small_cells_of() says of it.
+template <class Real, class Visit>
+HD void for_each_cell_of(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id,
+                         const SmallCells& cells, const Visit& visit) {
+    if (cells.is_small)
+        cells.for_each(visit);
+    else if (geometry.is_sphere(id))
         for_each_cell(grid, geometry.spheres[id], visit);
     else
         for_each_cell(grid, bounding_box(geometry.ellipsoid(id)), visit);
+}
+template <class Real, class Visit>
+HD void for_each_cell_of(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id,
+                         const Visit& visit) {
+    for_each_cell_of(grid, geometry, id, small_cells_of(grid, geometry, id), visit);
 }
 
 /// What the building of a grid counts. A builder that made room for fewer sees it here and comes again.
@@ -157,52 +172,47 @@ template <class Real, uint32_t together> struct LinkPrimitives {
 
     HD void operator()(uint32_t item) const {
         const uint32_t first = item * together, end = smaller(first + together, geometry.round_count());
+        SmallCells cells[together];
         uint32_t count = 0, occupied = 0;
-        for (uint32_t id = first; id < end; ++id)
-            for_each_cell_of(grid, geometry, id, [&](int32_t, int32_t, int32_t) { ++count; });
+        for (uint32_t i = 0; i < together && first + i < end; ++i) {
+            cells[i] = small_cells_of(grid, geometry, first + i);
+            if (cells[i].is_small)
+                count += cells[i].count();
+            else
+                for_each_cell_of(grid, geometry, first + i, cells[i], [&](int32_t, int32_t, int32_t) { ++count; });
+        }
         uint64_t link = take_from(&counts[0].links, count);
         if (link + count > grid.links.size())
             return;
-        for (uint32_t id = first; id < end; ++id)
-            occupied += link_one(id, link);
+        for (uint32_t i = 0; i < together && first + i < end; ++i)
+            occupied += cells[i].is_small ? link_small(first + i, cells[i], link) : link_one(first + i, cells[i], link);
         count_up(&counts[0].occupied, occupied);
     }
 
 private:
     /// Puts a primitive into its lists, by the links from `link` on. Returns how many of them were empty.
-    HD uint32_t link_one(uint32_t id, uint64_t& link) const {
-        const Real radius = geometry.radius(id);
-        if (!(radius > 0) || radius > geometry.large_radius)
-            return 0;
+    HD uint32_t link_one(uint32_t id, const SmallCells& cells, uint64_t& link) const {
         uint32_t occupied = 0;
-        const SmallCells cells = geometry.is_sphere(id) ? small_cells(grid, geometry.spheres[id]) : SmallCells{};
-        if (cells.is_small) {
-            // All at once, since each exchange takes a long way to memory.
-            uint32_t next[8];
-            for (int i = 0; i < 8; ++i)
-                next[i] = cells.mask >> i & 1
-                              ? exchange(cells.first.x + (i & 1), cells.first.y + (i >> 1 & 1),
-                                         cells.first.z + (i >> 2), uint32_t(link) + bits_below(cells.mask, i))
-                              : 0;
-            for (int i = 0; i < 8; ++i)
-                if (cells.mask >> i & 1) {
-                    grid.links[link++] = {id, next[i]};
-                    occupied += next[i] == no_link;
-                }
-            return occupied;
-        }
-        for_each_cell_of(grid, geometry, id, [&](int32_t x, int32_t y, int32_t z) {
+        for_each_cell_of(grid, geometry, id, cells, [&](int32_t x, int32_t y, int32_t z) {
             const uint32_t next = exchange(x, y, z, uint32_t(link));
             grid.links[link++] = {id, next};
             occupied += next == no_link;
         });
         return occupied;
     }
-    HD static uint32_t bits_below(uint32_t mask, int bit) {
-        uint32_t count = 0;
-        for (int i = 0; i < bit; ++i)
-            count += mask >> i & 1;
-        return count;
+    /// The same all at once, since each exchange takes a long way to memory.
+    HD uint32_t link_small(uint32_t id, const SmallCells& cells, uint64_t& link) const {
+        uint32_t occupied = 0, next[8], place = uint32_t(link);
+        for (int i = 0; i < 8; ++i)
+            if (cells.mask >> i & 1)
+                next[i] =
+                    exchange(cells.first.x + (i & 1), cells.first.y + (i >> 1 & 1), cells.first.z + (i >> 2), place++);
+        for (int i = 0; i < 8; ++i)
+            if (cells.mask >> i & 1) {
+                grid.links[link++] = {id, next[i]};
+                occupied += next[i] == no_link;
+            }
+        return occupied;
     }
     /// Puts a link in front of a voxel's list; returns the next one.
     HD uint32_t exchange(int32_t x, int32_t y, int32_t z, uint32_t link) const {

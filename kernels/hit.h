@@ -55,6 +55,21 @@ HD_INNER BasedRay<Real> rebase(const SourcedRay<Path>& from, const Box<Real>& bo
     return based;
 }
 
+/// The same for rays that mostly start within the bounds, as those do that leave a primitive of the grid.
+template <class Real, class Path>
+HD_INNER BasedRay<Real> rebase_from_within(const SourcedRay<Path>& from, const Box<Real>& bounds) {
+    const Vec3<Path>& origin = from.ray.origin;
+    bool is_within = true;
+    for (int i = 0; i < 3; ++i)
+        is_within = is_within && origin[i] >= Path(bounds.lower[i]) && origin[i] <= Path(bounds.upper[i]);
+    if (!is_within)
+        return rebase(from, bounds);
+    return {{Vec3<Real>(origin), Vec3<Real>(from.ray.direction)},
+            {from.source.primitive, Real(from.source.exit)},
+            Real(0),
+            true};
+}
+
 /// The distance from a ray's origin to a sphere, by its numbers in double; else as intersect().
 HD_RARE inline float exact_distance(const Sphere<double>& sphere, const Ray<float>& ray, float nearest,
                                     float min_half_chord2) {

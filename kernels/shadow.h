@@ -23,7 +23,7 @@ HD bool is_shadowed(const SceneView<Real>& scene, const Surface<Path>& surface, 
                     Real distance) {
     const Real margin = scene.limits.shadow_margin;
     const SourcedRay<Path> ray = leave(shapes_of<Path>(scene), surface, to_light, surface.from_inside);
-    return find_any<shapes, ways>(scene, rebase(ray, scene.geometry.bounds), margin, distance - margin);
+    return find_any<shapes, ways>(scene, rebase_from_within(ray, scene.geometry.bounds), margin, distance - margin);
 }
 
 /// The light's tint after everything between the surface and `distance` along `to_light`: 0 behind an opaque primitive.

@@ -29,8 +29,7 @@ template <class Real> struct Crossing {
     Real pace;
     Real start;
 
-    HD Crossing(Real origin, Real speed) {
-        pace = Real(1) / speed;
+    HD Crossing(Real origin, Real pace_along) : pace(pace_along) {
         start = -origin * pace;
         const bool moves = magnitude(pace) < infinity<Real> && magnitude(start) < infinity<Real>; // both may overflow
         pace = moves ? pace : Real(0);
@@ -52,9 +51,9 @@ template <class Real> struct GridWalk {
 
     HD GridWalk(const GridView<Real>& grid, const Ray<Real>& ray)
         : origin((ray.origin - grid.lower) * grid.inverse_voxel),
-          speed(ray.direction * grid.inverse_voxel), crossings{{origin.x, speed.x},
-                                                               {origin.y, speed.y},
-                                                               {origin.z, speed.z}} {
+          speed(ray.direction * grid.inverse_voxel), crossings{{origin.x, Real(1) / speed.x},
+                                                               {origin.y, Real(1) / speed.y},
+                                                               {origin.z, Real(1) / speed.z}} {
         for (int i = 0; i < 3; ++i)
             cell[i] = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
     }
@@ -137,7 +136,8 @@ HD_INNER bool meet_list(const GridView<Real>& grid, uint32_t link, Visitor& visi
 template <RoundShapes shapes, class Real> class StepWalk {
 public:
     HD StepWalk(const GridView<Real>& grid, const Ray<Real>& ray)
-        : StepWalk(grid, (ray.origin - grid.lower) * grid.inverse_voxel, ray.direction * grid.inverse_voxel) {}
+        : StepWalk(grid, (ray.origin - grid.lower) * grid.inverse_voxel, ray.direction,
+                   Real(1) / ray.direction * grid.voxel) {}
 
     /// False at the end of the grid, or when the visitor has seen enough.
     template <class Visitor> HD_INNER bool turn(const GridView<Real>& grid, Visitor& visitor) {
@@ -156,12 +156,13 @@ public:
     }
 
 private:
-    HD StepWalk(const GridView<Real>& grid, const Vec3<Real>& origin, const Vec3<Real>& speed)
-        : crossings_{{origin.x, speed.x}, {origin.y, speed.y}, {origin.z, speed.z}} {
+    HD StepWalk(const GridView<Real>& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
+                const Vec3<Real>& pace)
+        : crossings_{{origin.x, pace.x}, {origin.y, pace.y}, {origin.z, pace.z}} {
         int32_t stride = 1;
         for (int i = 0; i < 3; ++i) {
             const int32_t cell = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
-            const bool upwards = speed[i] > 0;
+            const bool upwards = direction[i] > 0;
             plane_[i] = Real(cell + upwards);
             // The last plane is crossed at exactly the same distance when the walk comes to it.
             end_ = lesser(end_, crossings_[i].at(upwards ? grid.end[i] : Real(0)));

@@ -43,7 +43,7 @@ public:
         total_.resize(1);
         total_.fill_bytes(0);
         DistancePass pass{.cloud = cloud, .marks = marks_of(cloud), .total = total_.view()};
-        pass.piece = int32_t(std::clamp<uint32_t>(cloud.brick_count() / pieces_wanted, 8, 4096));
+        pass.piece = int32_t(std::clamp<uint32_t>(cloud.brick_count() / pieces_wanted, 4, 4096));
         if (RowDistances<16>::fits(cloud))
             measure_rows<16>(pass);
         else

@@ -5,6 +5,7 @@
 #include "tests/bench/minimal_bench.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <stdexcept>
 
 namespace proxima::bench {
@@ -17,7 +18,7 @@ void refuse_what_is_not_minimal(const SceneProgram& scene) {
         throw std::runtime_error("the scene must have spheres of one colour and one light, and nothing else");
 }
 
-/// Calls visit(voxel) for each voxel that the sphere's box touches.
+/// Calls visit(voxel) for each voxel that the sphere touches.
 template <class Visit> void for_each_voxel(const MinimalScene& grid, const Sphere<float>& sphere, const Visit& visit) {
     int low[3], high[3];
     for (int i = 0; i < 3; ++i) {
@@ -27,10 +28,15 @@ template <class Visit> void for_each_voxel(const MinimalScene& grid, const Spher
         low[i] = cell(sphere.center[i] - sphere.radius);
         high[i] = cell(sphere.center[i] + sphere.radius);
     }
+    const float reach2 = 1.002f * sphere.radius * sphere.radius;
     for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
-            for (int x = low[0]; x <= high[0]; ++x)
-                visit(size_t((z * grid.size.y + y) * grid.size.x + x));
+            for (int x = low[0]; x <= high[0]; ++x) {
+                const glm::vec3 corner = grid.bounds.lower + glm::vec3(x, y, z) * grid.voxel;
+                const glm::vec3 gap = sphere.center - glm::clamp(sphere.center, corner, corner + grid.voxel);
+                if (glm::dot(gap, gap) <= reach2)
+                    visit(size_t((z * grid.size.y + y) * grid.size.x + x));
+            }
 }
 
 void fill_lists(MinimalGrid& grid) {
