@@ -9,11 +9,9 @@
 
 namespace proxima {
 
-/// Blocks of threads that share a multiprocessor while rays are on their way; 40 registers a thread, or 64 for leaps,
-/// which need more. Others are slower or no faster on an H200: see tests/bench/NOTES.md.
-constexpr uint32_t first_hit_blocks(Ways ways) {
-    return ways == Ways::leaps ? 8 : 12;
-}
+/// Blocks of threads that share a multiprocessor while rays are on their way; 64 registers a thread. 10 and 12 are slower
+/// on an H200, but in full scenes of a million spheres and more: see tests/bench/NOTES.md.
+inline constexpr uint32_t most_blocks = 8;
 
 /// A pass over a wave of pixels in tiled order; one sample of each.
 template <class Real> struct FirstHitPass {
@@ -92,7 +90,7 @@ HD Vec3<Real> FirstHitPass<Real>::light_of(const Vec3<Real>& direction, const Su
 
 /// Pixel -> its sample's light, added to the film. `ways`: those through the scene's grid.
 template <class Real, RoundShapes shapes, Ways ways> struct TraceFirstHits {
-    static constexpr uint32_t blocks_together = sizeof(Real) == 4 ? first_hit_blocks(ways) : 1;
+    static constexpr uint32_t blocks_together = sizeof(Real) == 4 ? most_blocks : 1;
 
     FirstHitPass<Real> pass;
 

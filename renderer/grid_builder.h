@@ -53,9 +53,10 @@ public:
             } while (total.large > most_large);
         if (total.large > 0)
             list_large(geometry, total.large);
-        if (total.bounded > 0)
+        if (total.bounded > 0) {
             geometry.bounds = padded(total.box);
             geometry.slack = rounding_slack(glm::length(geometry.bounds.upper - geometry.bounds.lower));
+        }
         bounded_ = total.bounded;
     }
 

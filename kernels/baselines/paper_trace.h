@@ -40,23 +40,24 @@ struct TracePaperPixels {
     PaperGridView paper;
 
     HD void operator()(uint32_t index) const {
-        pass.at(index, [&](uint64_t place, const SourcedRay<float>& ray) {
-            const SceneView<float>& scene = pass.scene;
-            const BasedRay<float> based = rebase(ray, scene.geometry.bounds);
-            NearestHit<float> visitor({scene, based, scene.limits.nearest - based.offset}, 0,
-                                      scene.limits.farthest - based.offset);
-            visit_paper_grid(scene, paper, based, visitor);
-            if (visitor.best().primitive == no_primitive)
-                return pass.add(place, pass.light_of(ray.ray.direction, nullptr, 0));
-            const Surface<float> surface = surface_at(scene, ray, based, visitor.best());
-            uint32_t shadows = 0;
-            for (uint32_t i = 0; i < scene.lights.size(); ++i) {
-                const PlainLight<float> seen(scene, scene.lights[i], surface);
-                if (seen.shines() && is_shadowed_from(surface, seen.ray))
-                    shadows |= 1u << i;
-            }
-            pass.add(place, pass.light_of(ray.ray.direction, &surface, shadows));
-        });
+        const PixelPosition pixel = pass.pixel(index);
+        const uint64_t place = pass.place_of(pixel);
+        if (place == pass.nowhere)
+            return;
+        const SceneView<float>& scene = pass.scene;
+        const SourcedRay<float> ray = pass.camera_ray(pixel);
+        const BasedRay<float> based = rebase(ray, scene.geometry.bounds);
+        NearestHit<float> visitor({scene, based, scene.limits.nearest - based.offset}, 0,
+                                  scene.limits.farthest - based.offset);
+        visit_paper_grid(scene, paper, based, visitor);
+        const bool hits = visitor.best().primitive != no_primitive;
+        Surface<float> surface;
+        if (hits)
+            surface = surface_at(scene, ray, based, visitor.best());
+        pass.add(place, pass.light_of(ray.ray.direction, hits ? &surface : nullptr,
+                                      [&](uint32_t, const PlainLight<float>& seen) {
+                                          return is_shadowed_from(surface, seen.ray);
+                                      }));
     }
 
 private:
