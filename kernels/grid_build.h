@@ -51,10 +51,10 @@ template <class Real> struct MeasureSize {
 template <class Real> struct BoundsTotal {
     Box<Real> box{Vec3<Real>(infinity<Real>), Vec3<Real>(-infinity<Real>)};
     uint32_t bounded = 0;
-    uint32_t large = 0;
+    uint32_t left_out = 0;
 
     HD static BoundsTotal combine(const BoundsTotal& a, const BoundsTotal& b) {
-        return {joined(a.box, b.box), a.bounded + b.bounded, a.large + b.large};
+        return {joined(a.box, b.box), a.bounded + b.bounded, a.left_out + b.left_out};
     }
 };
 
@@ -65,7 +65,7 @@ template <class Real> struct MeasureBounds {
     HD BoundsTotal<Real> operator()(uint32_t id) const {
         const Real radius = geometry.radius(id);
         if (radius > geometry.large_radius)
-            return {.large = 1};
+            return {.left_out = 1};
         if (!(radius > 0))
             return {};
         return {geometry.box(id), 1, 0};
@@ -84,11 +84,15 @@ template <class Real> struct ListLarge {
     }
 };
 
+/// Whether a primitive belongs into a grid's lists.
+template <class Real> HD bool is_listed(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id) {
+    return geometry.is_bounded(id) && (grid.part == GridPart::all || grid.is_for(geometry.center(id)));
+}
+
 template <class Real, class Visit>
 HD void for_each_cell_of(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id,
                          const Visit& visit) {
-    const Real radius = geometry.radius(id);
-    if (!(radius > 0) || radius > geometry.large_radius)
+    if (!is_listed(grid, geometry, id))
         return;
     if (geometry.is_sphere(id))
         for_each_cell(grid, geometry.spheres[id], visit);
@@ -171,8 +175,7 @@ template <class Real, uint32_t together> struct LinkPrimitives {
 private:
     /// Puts a primitive into its lists, by the links from `link` on. Returns how many of them were empty.
     HD uint32_t link_one(uint32_t id, uint64_t& link) const {
-        const Real radius = geometry.radius(id);
-        if (!(radius > 0) || radius > geometry.large_radius)
+        if (!is_listed(grid, geometry, id))
             return 0;
         uint32_t occupied = 0;
         const SmallCells cells = geometry.is_sphere(id) ? small_cells(grid, geometry.spheres[id]) : SmallCells{};
