@@ -49,7 +49,10 @@ private:
         BasedRay<Real> beside = based;
         beside.meets_bounds = based.meets_bounds && !walks;
         visit_all<RoundShapes::all>(scene, beside, visitor);
-        return walks ? walk<RoundShapes::all>(scene.grid, based.ray, visitor) : 0;
+        uint32_t steps = walks ? walk<RoundShapes::all>(scene.grid, based.ray, visitor) : 0;
+        if (walks && scene.outskirts.in_use())
+            steps += walk<RoundShapes::all, Ways::steps>(scene.outskirts, based.ray, visitor);
+        return steps;
     }
 };
 

@@ -47,6 +47,14 @@ template <class Real> HD Box<Real> joined(const Box<Real>& a, const Box<Real>& b
     return box;
 }
 
+/// Whether a point is in a box or on it.
+template <class Real> HD bool contains(const Box<Real>& box, const Vec3<Real>& point) {
+    bool inside = true;
+    for (int i = 0; i < 3; ++i)
+        inside = inside & (box.lower[i] <= point[i]) & (point[i] <= box.upper[i]);
+    return inside;
+}
+
 /// The box that an ellipsoid just fits in.
 template <class Real> HD Box<Real> bounding_box(const Ellipsoid<Real>& ellipsoid) {
     const Affine<Real>& map = ellipsoid.world_from_object;

@@ -17,6 +17,9 @@ struct alignas(8) GridLink {
 };
 inline constexpr uint32_t no_link = 0xffffffffu;
 
+/// Which primitives a grid is for, by their centres: see SceneView::outskirts.
+enum class GridPart : uint8_t { all, core, outskirts };
+
 template <class Real> struct GridView {
     Vec3<Real> lower{Real(0)};
     Vec3<Real> voxel{Real(1)}; ///< edge lengths
@@ -27,8 +30,15 @@ template <class Real> struct GridView {
     std::span<uint32_t> heads; ///< of each slot's list: its first link, or no_link
     std::span<GridLink> links; ///< in no order
     CloudView cloud;           ///< without bricks: every voxel has a slot of its own
+    GridPart part = GridPart::all;
+    Box<Real> core; ///< those with their centres within it are the core
 
     HD bool in_use() const { return size.x > 0; }
+    HD bool is_for(const Vec3<Real>& center) const {
+        return part == GridPart::all || contains(core, center) == (part == GridPart::core);
+    }
+    /// Where the grid lies: without a part, in all of the frame's bounds.
+    HD Box<Real> box() const { return {lower, lower + voxel * end}; }
     HD uint32_t cell_count() const { return uint32_t(size.x) * uint32_t(size.y) * uint32_t(size.z); }
     HD uint32_t index(int32_t x, int32_t y, int32_t z) const {
         return uint32_t(x) + uint32_t(size.x) * (uint32_t(y) + uint32_t(size.y) * uint32_t(z));
@@ -73,6 +83,8 @@ template <class Real> HD GridView<Real> brick_grid(const GridView<Real>& grid) {
     bricks.voxel = grid.voxel * Real(1 << grid.cloud.shift);
     bricks.inverse_voxel = grid.inverse_voxel / Real(1 << grid.cloud.shift);
     bricks.inflation = grid.inflation;
+    bricks.part = grid.part;
+    bricks.core = grid.core;
     return bricks;
 }
 

@@ -51,10 +51,10 @@ template <class Real> struct MeasureSize {
 template <class Real> struct BoundsTotal {
     Box<Real> box{Vec3<Real>(infinity<Real>), Vec3<Real>(-infinity<Real>)};
     uint32_t bounded = 0;
-    uint32_t large = 0;
+    uint32_t left_out = 0;
 
     HD static BoundsTotal combine(const BoundsTotal& a, const BoundsTotal& b) {
-        return {joined(a.box, b.box), a.bounded + b.bounded, a.large + b.large};
+        return {joined(a.box, b.box), a.bounded + b.bounded, a.left_out + b.left_out};
     }
 };
 
@@ -65,7 +65,7 @@ template <class Real> struct MeasureBounds {
     HD BoundsTotal<Real> operator()(uint32_t id) const {
         const Real radius = geometry.radius(id);
         if (radius > geometry.large_radius)
-            return {.large = 1};
+            return {.left_out = 1};
         if (!(radius > 0))
             return {};
         return {geometry.box(id), 1, 0};
@@ -84,12 +84,15 @@ template <class Real> struct ListLarge {
     }
 };
 
-/// The voxels of a primitive that needs few of them; none of one that the grid does not hold. Otherwise it is not
-/// small.
+/// Whether a primitive belongs into a grid's lists.
+template <class Real> HD bool is_listed(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id) {
+    return geometry.is_bounded(id) && (grid.part == GridPart::all || grid.is_for(geometry.center(id)));
+}
+
+/// The voxels of a primitive that needs few of them; none of one that is not listed. Otherwise it is not small.
 template <class Real>
 HD SmallCells small_cells_of(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id) {
-    const Real radius = geometry.radius(id);
-    if (!(radius > 0) || radius > geometry.large_radius)
+    if (!is_listed(grid, geometry, id))
         return {.is_small = true};
     return geometry.is_sphere(id) ? small_cells(grid, geometry.spheres[id]) : SmallCells{};
 }

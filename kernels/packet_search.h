@@ -18,8 +18,11 @@ HD void search_packet(const SceneView<Real>& scene, RayPacket<Real>& rays, const
         visitor.meet_plane(geometry.round_count() + i);
     for (const uint32_t id : geometry.large)
         visitor.meet_large(id);
-    PacketWalk<Real> walk(scene.grid, geometry.spheres, rays);
-    if (walk.go([&](uint32_t id) { visitor.meet_sphere(id); }))
+    const auto go_through = [&](const GridView<Real>& grid) {
+        PacketWalk<Real> walk(grid, geometry.spheres, rays);
+        return walk.go([&](uint32_t id) { visitor.meet_sphere(id); });
+    };
+    if (go_through(scene.grid) && (!scene.outskirts.in_use() || go_through(scene.outskirts)))
         return;
     for (uint32_t lane = 0; lane < RayPacket<Real>::lanes; ++lane)
         if (!rays.is_idle(lane))

@@ -15,6 +15,7 @@ public:
     /// `spheres`: what the grid holds.
     HD PacketWalk(const GridView<Real>& grid, std::span<const Sphere<Real>> spheres, const RayPacket<Real>& rays)
         : grid_(grid), spheres_(spheres), rays_(rays) {
+        find_entries();
         aim();
     }
 
@@ -53,6 +54,17 @@ private:
         HD int32_t count() const { return (high[0] - low[0] + 1) * (high[1] - low[1] + 1); }
     };
 
+    /// Which rays come into the grid, and where. Only that of a core is not where they start.
+    HD void find_entries() {
+        const Box<Real> box = grid_.box();
+        const bool is_core = grid_.part == GridPart::core;
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            const Span<Real> inside = is_core ? intersect(box, rays_.ray(lane)) : Span<Real>{};
+            const bool reaches_it = (!is_core) | ((inside.enter <= inside.exit) & (inside.enter < rays_.reach[lane]));
+            enters_[lane] = (rays_.meets_bounds[lane] != 0) & reaches_it & !rays_.is_idle(lane) ? 1u : 0u;
+            entry_[lane] = inside.enter;
+        }
+    }
     /// Turns the rays to voxels, along the axis that one of them crosses most voxels on.
     HD void aim() {
         const Vec3<Real>& scale = grid_.inverse_voxel;
@@ -74,7 +86,10 @@ private:
         const Real* direction;
         Real lower, scale, end;
 
-        HD_INNER Real place(uint32_t lane) const { return (origin[lane] - lower) * scale; }
+        /// `entry` from the ray's origin.
+        HD_INNER Real place(uint32_t lane, Real entry) const {
+            return (origin[lane] + entry * direction[lane] - lower) * scale;
+        }
         HD_INNER bool is_inside(Real place) const { return (place >= -1) & (place <= end); }
     };
     HD_INNER Axis axis_along(int i) const {
@@ -87,7 +102,8 @@ private:
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const bool is_in = enters(lane);
             const Real pace = Real(1) / (sign * along.direction[lane]);
-            const Real start = along.place(lane), u = across_u.place(lane), v = across_v.place(lane);
+            const Real entry = entry_[lane], start = along.place(lane, entry);
+            const Real u = across_u.place(lane, entry), v = across_v.place(lane, entry);
             const Real slope_u = across_u.direction[lane] * across_u.scale * pace;
             const Real slope_v = across_v.direction[lane] * across_v.scale * pace;
             const Real sideways = larger(magnitude(slope_u), magnitude(slope_v));
@@ -104,7 +120,7 @@ private:
         }
         return strays;
     }
-    HD_INNER bool enters(uint32_t lane) const { return !rays_.is_idle(lane) & (rays_.meets_bounds[lane] != 0); }
+    HD_INNER bool enters(uint32_t lane) const { return enters_[lane] != 0; }
 
     HD int32_t first_slice() const {
         const Real end = Real(grid_.size[axis_] - 1), sign = forward_ ? Real(1) : Real(-1);
@@ -131,7 +147,7 @@ private:
             const Real v0 = place_[1][lane] + from * slope_[1][lane], v1 = place_[1][lane] + until * slope_[1][lane];
             const Real u_low = smaller(u0, u1) - margin, u_high = larger(u0, u1) + margin;
             const Real v_low = smaller(v0, v1) - margin, v_high = larger(v0, v1) + margin;
-            const bool goes_on = rays_.reach[lane] > from * pace_[lane];
+            const bool goes_on = rays_.reach[lane] > entry_[lane] + from * pace_[lane];
             const bool is_inside = (u_high >= 0) & (u_low <= end[0]) & (v_high >= 0) & (v_low <= end[1]);
             const bool is_alive = goes_on & is_inside;
             const bool is_here = is_alive & (to >= -margin);
@@ -193,6 +209,8 @@ private:
     int across_[2] = {1, 2};
     bool forward_ = true;
     bool is_coherent_ = false;
+    uint32_t enters_[lanes];
+    alignas(64) Real entry_[lanes]; ///< distance
     // In voxels; what depends on distance, per voxel along the axis.
     alignas(64) Real start_[lanes];
     Real pace_[lanes]; ///< distance

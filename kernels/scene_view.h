@@ -74,6 +74,14 @@ template <class Real> struct GeometryView : ShapesView<Real> {
         const Vec3<Real> radius(spheres[id].radius);
         return {spheres[id].center - radius, spheres[id].center + radius};
     }
+    /// Whether it is there and not large.
+    HD bool is_bounded(uint32_t id) const {
+        const Real size = radius(id);
+        return size > 0 && !(size > large_radius);
+    }
+    HD Vec3<Real> center(uint32_t id) const {
+        return is_sphere(id) ? spheres[id].center : ellipsoid(id).world_from_object.offset;
+    }
     /// The radius of a sphere; of an ellipsoid, half of its box's longest side.
     HD Real radius(uint32_t id) const {
         if (is_sphere(id))
@@ -100,6 +108,7 @@ template <class Real> struct SceneView {
     ShapesView<double> exact; ///< the same shapes, for paths that go on from them and for large ones; empty where there
                               ///< is neither
     GridView<Real> grid;      ///< without cells: every bounded primitive is tested
+    GridView<Real> outskirts; ///< in use beside a grid for the core alone, and for all others
     SurfacesView<Real> surfaces;
     std::span<const Light<Real>> lights;
     std::span<const AreaLight<Real>> area_lights;

@@ -19,6 +19,8 @@ HD void visit_all(const SceneView<Real>& scene, const BasedRay<Real>& ray, Visit
         return;
     if (ways != Ways::any || scene.grid.in_use()) {
         walk<shapes, ways>(scene.grid, ray.ray, visitor);
+        if (ways == Ways::any && scene.outskirts.in_use() && !visitor.is_done(-infinity<Real>))
+            walk<shapes, Ways::steps>(scene.outskirts, ray.ray, visitor);
         return;
     }
     for (uint32_t id = 0; id < round && !visitor.is_done(-infinity<Real>); ++id)
@@ -46,6 +48,16 @@ HD bool find_any(const SceneView<Real>& scene, const BasedRay<Real>& ray, Real n
     return visitor.found();
 }
 
+/// Calls `visit(id)` for the primitives in the list of a point's voxel.
+template <class Real, class Visit>
+HD void for_each_listed(const GridView<Real>& grid, const Vec3<Real>& point, const Visit& visit) {
+    const Vec3<int32_t> cell = grid.cell_at(point);
+    if (grid.cloud.in_use() && grid.cloud.distances[grid.cloud.brick(cell.x, cell.y, cell.z)] != 0)
+        return;
+    for (uint32_t link = grid.heads[grid.slot(cell.x, cell.y, cell.z)]; link != no_link; link = grid.links[link].next)
+        visit(grid.links[link].primitive);
+}
+
 /// Calls `visit(id)` for the bounded primitives that may hold a point, the large ones and the planes, each once.
 template <class Real, class Visit>
 HD void for_each_around(const SceneView<Real>& scene, const Vec3<Real>& point, const Visit& visit) {
@@ -64,12 +76,10 @@ HD void for_each_around(const SceneView<Real>& scene, const Vec3<Real>& point, c
                 visit(id);
         return;
     }
-    const GridView<Real>& grid = scene.grid;
-    const Vec3<int32_t> cell = grid.cell_at(point);
-    if (grid.cloud.in_use() && grid.cloud.distances[grid.cloud.brick(cell.x, cell.y, cell.z)] != 0)
-        return;
-    for (uint32_t link = grid.heads[grid.slot(cell.x, cell.y, cell.z)]; link != no_link; link = grid.links[link].next)
-        visit(grid.links[link].primitive);
+    if (scene.grid.part == GridPart::all || contains(scene.grid.box(), point))
+        for_each_listed(scene.grid, point, visit);
+    if (scene.outskirts.in_use())
+        for_each_listed(scene.outskirts, point, visit);
 }
 
 } // namespace proxima

@@ -40,6 +40,17 @@ template <class Real> struct Crossing {
     HD_INNER Real at(Real plane) const { return plane * pace + start; }
 };
 
+/// The voxel in which a ray's way begins, `start` from its origin. Both in voxels.
+template <class Real>
+HD Vec3<int32_t> first_cell(const GridView<Real>& grid, const Vec3<Real>& origin, const Vec3<Real>& speed, Real start) {
+    Vec3<int32_t> cell;
+    for (int i = 0; i < 3; ++i) {
+        const Real place = start > 0 ? origin[i] + start * speed[i] : origin[i];
+        cell[i] = int32_t(clamped(place, Real(0), Real(grid.size[i] - 1)));
+    }
+    return cell;
+}
+
 /// Where a ray stands. Voxel planes are recomputed from integers, never accumulated, so that the error does not grow
 /// with the number of steps; after a leap the ray's place is computed anew and never falls behind its voxel.
 template <class Real> struct GridWalk {
@@ -47,16 +58,14 @@ template <class Real> struct GridWalk {
     Vec3<Real> speed;  ///< voxels per unit of distance
     Crossing<Real> crossings[3];
     Vec3<int32_t> cell;
-    Real now = Real(0); ///< distance at which it entered its voxel
+    Real now; ///< distance at which it entered its voxel
 
-    HD GridWalk(const GridView<Real>& grid, const Ray<Real>& ray)
+    HD GridWalk(const GridView<Real>& grid, const Ray<Real>& ray, Real start)
         : origin((ray.origin - grid.lower) * grid.inverse_voxel),
           speed(ray.direction * grid.inverse_voxel), crossings{{origin.x, Real(1) / speed.x},
                                                                {origin.y, Real(1) / speed.y},
-                                                               {origin.z, Real(1) / speed.z}} {
-        for (int i = 0; i < 3; ++i)
-            cell[i] = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
-    }
+                                                               {origin.z, Real(1) / speed.z}},
+          cell(first_cell(grid, origin, speed, start)), now(start) {}
 
     HD_INNER bool upwards(int i) const { return !(speed[i] < 0); }
     HD_INNER uint32_t octant() const {
@@ -135,9 +144,9 @@ HD_INNER bool meet_list(const GridView<Real>& grid, uint32_t link, Visitor& visi
 /// both costs the cloud a third of its speed on an H100, by the registers.
 template <RoundShapes shapes, class Real> class StepWalk {
 public:
-    HD StepWalk(const GridView<Real>& grid, const Ray<Real>& ray)
+    HD StepWalk(const GridView<Real>& grid, const Ray<Real>& ray, Real start)
         : StepWalk(grid, (ray.origin - grid.lower) * grid.inverse_voxel, ray.direction,
-                   Real(1) / ray.direction * grid.voxel) {}
+                   Real(1) / ray.direction * grid.voxel, start) {}
 
     /// False at the end of the grid, or when the visitor has seen enough.
     template <class Visitor> HD_INNER bool turn(const GridView<Real>& grid, Visitor& visitor) {
@@ -157,11 +166,12 @@ public:
 
 private:
     HD StepWalk(const GridView<Real>& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
-                const Vec3<Real>& pace)
+                const Vec3<Real>& pace, Real start)
         : crossings_{{origin.x, pace.x}, {origin.y, pace.y}, {origin.z, pace.z}} {
+        const Vec3<int32_t> cells = first_cell(grid, origin, direction * grid.inverse_voxel, start);
         int32_t stride = 1;
         for (int i = 0; i < 3; ++i) {
-            const int32_t cell = int32_t(clamped(origin[i], Real(0), Real(grid.size[i] - 1)));
+            const int32_t cell = cells[i];
             const bool upwards = direction[i] > 0;
             plane_[i] = Real(cell + upwards);
             // The last plane is crossed at exactly the same distance when the walk comes to it.
@@ -187,7 +197,7 @@ enum class LeapKind { by_blocks, by_length };
 /// The same where empty bricks say how far the ray may leap.
 template <RoundShapes shapes, LeapKind leap, class Real> class LeapWalk {
 public:
-    HD LeapWalk(const GridView<Real>& grid, const Ray<Real>& ray) : place_(grid, ray) {
+    HD LeapWalk(const GridView<Real>& grid, const Ray<Real>& ray, Real start) : place_(grid, ray, start) {
         if (grid.cloud.metric == Metric::octant)
             map_ = place_.octant() * grid.cloud.brick_count();
         look_up(grid);
@@ -225,8 +235,8 @@ private:
 /// Shows a visitor the lists of the voxels along a ray, in order, until it is done. Returns how many voxels, and bricks
 /// of a cloud, were looked up.
 template <class Walk, class Real, class Visitor>
-HD uint32_t walk_to_end(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
-    Walk walk(grid, ray);
+HD uint32_t walk_to_end(const GridView<Real>& grid, const Ray<Real>& ray, Real start, Visitor& visitor) {
+    Walk walk(grid, ray, start);
     uint32_t turns = 1;
     while (walk.turn(grid, visitor))
         ++turns;
@@ -235,10 +245,10 @@ HD uint32_t walk_to_end(const GridView<Real>& grid, const Ray<Real>& ray, Visito
 /// The ways through a grid that a kernel knows: what it knows takes registers.
 enum class Ways { any, steps, leaps };
 
-/// Which of them does for a grid.
+/// Which of them does for a grid. Only `any` knows of parts.
 template <class Real> HD Ways ways_of(const GridView<Real>& grid) {
     const Metric metric = grid.cloud.metric;
-    return !grid.in_use()                                                ? Ways::any
+    return !grid.in_use() || grid.part != GridPart::all                  ? Ways::any
            : !grid.cloud.in_use()                                        ? Ways::steps
            : metric == Metric::city_block || metric == Metric::euclidean ? Ways::any
                                                                          : Ways::leaps;
@@ -246,11 +256,18 @@ template <class Real> HD Ways ways_of(const GridView<Real>& grid) {
 
 template <RoundShapes shapes, Ways ways = Ways::any, class Real, class Visitor>
 HD uint32_t walk(const GridView<Real>& grid, const Ray<Real>& ray, Visitor& visitor) {
+    Real start(0);
+    if (ways == Ways::any && grid.part == GridPart::core) { // elsewhere a ray's origin is in the grid
+        const Span<Real> inside = intersect(grid.box(), ray);
+        if (!(inside.enter <= inside.exit) || visitor.is_done(inside.enter))
+            return 0;
+        start = inside.enter;
+    }
     if (ways == Ways::steps || (ways == Ways::any && !grid.cloud.in_use()))
-        return walk_to_end<StepWalk<shapes, Real>>(grid, ray, visitor);
+        return walk_to_end<StepWalk<shapes, Real>>(grid, ray, start, visitor);
     if (ways == Ways::any && (grid.cloud.metric == Metric::city_block || grid.cloud.metric == Metric::euclidean))
-        return walk_to_end<LeapWalk<shapes, LeapKind::by_length, Real>>(grid, ray, visitor);
-    return walk_to_end<LeapWalk<shapes, LeapKind::by_blocks, Real>>(grid, ray, visitor);
+        return walk_to_end<LeapWalk<shapes, LeapKind::by_length, Real>>(grid, ray, start, visitor);
+    return walk_to_end<LeapWalk<shapes, LeapKind::by_blocks, Real>>(grid, ray, start, visitor);
 }
 
 } // namespace proxima

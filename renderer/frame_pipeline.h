@@ -163,8 +163,11 @@ private:
         begin_scene(settings);
         step(FrameStep::build, [&] {
             grid_.find_bounds(built_.geometry);
-            if (uses_grid(settings, built_))
+            if (uses_grid(settings, built_)) {
+                if (settings.grid[0] == 0) // a size that is asked for is of all bounds
+                    grid_.find_core(built_.geometry, settings.aovs.steps);
                 build_grid(settings, built_);
+            }
         });
         if (built_.grid.cloud.in_use())
             step(FrameStep::map, [&] { grid_.build_distances(built_); });

@@ -7,6 +7,8 @@
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_resolution.h"
+#include "renderer/outlier_rule.h"
+#include "renderer/outskirts_builder.h"
 
 #include <algorithm>
 #include <bit>
@@ -25,45 +27,58 @@ struct GridPlan {
 template <class Backend, class Real> class GridBuilder {
 public:
     explicit GridBuilder(Backend& backend)
-        : backend_(backend), cloud_(backend), heads_(backend), links_(backend), large_(backend), large_count_(backend),
-          counts_(backend), seen_counts_(backend) {}
+        : backend_(backend), cloud_(backend), outskirts_(backend), heads_(backend), links_(backend), large_(backend),
+          large_count_(backend), counts_(backend), seen_counts_(backend) {}
 
     /// What is known of the lists' lengths is of another scene.
     void forget() {
         has_seen_ = false;
         most_voxels_ = GridRule{}.most_voxels;
+        outliers_.forget();
     }
 
     /// Sets apart what is much larger than the rest, so that a ground sphere does not blow up the grid: what exceeds
     /// large_exponent(), but never more than `most_large`, since every ray tests them. The rule
     /// looks at nothing but the scene: whatever the grid's resolution, the bounds, and so all distances, are the same.
     void find_bounds(GeometryView<Real>& geometry) {
-        bounded_ = 0;
+        total_ = {};
+        has_core_ = false;
         const uint32_t count = geometry.round_count();
         const auto size = backend_.template reduce<SizeTotal<Real>>(count, MeasureSize<Real>{geometry});
         if (size.count == 0)
             return;
         int exponent = large_exponent(size.exponents, size.count);
         geometry.large_radius = std::ldexp(Real(1), exponent);
-        BoundsTotal<Real> total{size.box, uint32_t(size.count)};
+        total_ = {size.box, uint32_t(size.count), 0};
         if (size.largest > geometry.large_radius)
             do {
                 geometry.large_radius = std::ldexp(Real(1), exponent++);
-                total = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
-            } while (total.large > most_large);
-        if (total.large > 0)
-            list_large(geometry, total.large);
-        if (total.bounded > 0) {
-            geometry.bounds = padded(total.box);
+                total_ = backend_.template reduce<BoundsTotal<Real>>(count, MeasureBounds<Real>{geometry});
+            } while (total_.left_out > most_large);
+        if (total_.left_out > 0)
+            list_large(geometry, total_.left_out);
+        if (total_.bounded > 0) {
+            geometry.bounds = padded(total_.box, pad_of(total_.box));
             geometry.slack = rounding_slack(glm::length(geometry.bounds.upper - geometry.bounds.lower));
         }
-        bounded_ = total.bounded;
+        typical_radius_ = std::ldexp(Real(1), large_exponent(size.exponents, size.count) - 5);
+        largest_radius_ = std::min(size.largest, geometry.large_radius);
+    }
+
+    /// Whether most primitives are close together, far from all others: then grids are for those, and the others get
+    /// one of their own. After find_bounds(). `anew`: whatever was found in the frames before.
+    void find_core(const GeometryView<Real>& geometry, bool anew) {
+        if (anew)
+            outliers_.forget();
+        if (total_.bounded >= fewest_for_core)
+            outliers_.look(backend_, geometry, total_, typical_radius_);
+        has_core_ = total_.bounded >= fewest_for_core && outliers_.found();
     }
 
     /// Starts to make scene.grid as `plan` has it, or coarser where there is not memory enough. Room is made for lists
     /// as long as those that were seen last; whether that was enough, is_complete() tells.
     void build(SceneView<Real>& scene, const GridPlan& plan) {
-        if (bounded_ == 0)
+        if (total_.bounded == 0)
             return;
         do {
             start(scene, plan);
@@ -75,7 +90,7 @@ public:
 
     /// After a synchronize(): whether the grid is whole. If not, there is room now, and it has to be built again.
     bool is_complete() {
-        if (bounded_ == 0)
+        if (total_.bounded == 0)
             return true;
         const GridCounts counts = seen_counts_.value();
         const bool whole = counts.links <= links_.size() && counts.bricks <= brick_room_;
@@ -96,6 +111,7 @@ public:
             return;
         for (int i = 0; i < 3; ++i)
             statistics.grid[i] = uint32_t(grid.size[i]);
+        statistics.outliers = has_core_ ? outliers_.total().left_out : 0;
         statistics.references = seen_counts_.value().links;
         statistics.occupied = seen_counts_.value().occupied;
         if (!grid.cloud.in_use())
@@ -108,9 +124,9 @@ public:
     /// The mean distance over the empty bricks of the cloud that `plan` would make: only its bricks are marked, and no
     /// lists are made. Waits for the device.
     double mean_distance(SceneView<Real> scene, const GridPlan& plan) {
-        if (bounded_ == 0)
+        if (total_.bounded == 0)
             return 0;
-        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
+        scene.grid = planned(scene.geometry.bounds, plan);
         cloud_.mark_planned(scene, plan.metric);
         cloud_.measure(scene.grid.cloud);
         backend_.synchronize();
@@ -122,6 +138,7 @@ public:
 
 private:
     static constexpr uint32_t most_large = 64;
+    static constexpr uint32_t fewest_for_core = 64;
     static constexpr uint64_t most_links = 0xfffffff0; ///< links are numbered in 32 bits
     template <class T> using Buffer = typename Backend::template Buffer<T>;
 
@@ -134,15 +151,15 @@ private:
     }
 
     /// Wide enough for all rounding of boxes, entry points and walks; a flat scene gets some thickness.
-    static Box<Real> padded(Box<Real> box) {
+    static Real pad_of(const Box<Real>& box) {
         const Real epsilon = std::numeric_limits<Real>::epsilon();
         Real reach = 0;
         for (int i = 0; i < 3; ++i)
             reach = larger(reach, larger(magnitude(box.lower[i]), magnitude(box.upper[i])));
-        const Real pad = max_component(box.upper - box.lower) * Real(64) * epsilon + reach * Real(16) * epsilon;
-        box.lower -= Vec3<Real>(pad);
-        box.upper += Vec3<Real>(pad);
-        return box;
+        return max_component(box.upper - box.lower) * Real(64) * epsilon + reach * Real(16) * epsilon;
+    }
+    static Box<Real> padded(const Box<Real>& box, Real pad) {
+        return {box.lower - Vec3<Real>(pad), box.upper + Vec3<Real>(pad)};
     }
 
     /// Bytes that the lists may take: what they have, and half of what is left.
@@ -151,12 +168,29 @@ private:
     }
     uint64_t link_budget() const { return std::min<uint64_t>(most_links, budget() / sizeof(GridLink)); }
 
-    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, const GridPlan& plan) const {
+    /// A grid without lists, over the bounds or the core.
+    GridView<Real> planned(const Box<Real>& bounds, const GridPlan& plan) const {
+        if (!has_core_)
+            return grid_over(bounds, voxels(bounds, total_.bounded, plan), plan.brick);
+        const Box<Real> box = padded(outliers_.total().box, pad_of(total_.box));
+        std::array<uint32_t, 3> size = voxels(box, outliers_.total().bounded, plan);
+        // Rays come from afar: by what they may stray then, a voxel must be larger.
+        const Real stray = max_component(bounds.upper - bounds.lower) * Real(16) * std::numeric_limits<Real>::epsilon();
+        for (int i = 0; i < 3; ++i)
+            size[i] = uint32_t(std::clamp((box.upper[i] - box.lower[i]) / (4 * stray), Real(1), Real(size[i])));
+        GridView<Real> grid = grid_over(box, size, plan.brick);
+        grid.inflation += stray;
+        grid.part = GridPart::core;
+        grid.core = outliers_.core();
+        return grid;
+    }
+
+    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, uint32_t count, const GridPlan& plan) const {
         const Vec3<double> extent(bounds.upper - bounds.lower);
         GridRule rule;
         rule.voxels_per_primitive = plan.voxels_per_primitive;
         rule.most_voxels = most_voxels_;
-        std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, bounded_, rule);
+        std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, count, rule);
         for (int i = 0; i < 3; ++i)
             if (plan.size[i] > 0)
                 voxels[i] = std::min(plan.size[i], uint32_t(rule.longest));
@@ -186,10 +220,10 @@ private:
 
     void start(SceneView<Real>& scene, const GridPlan& plan) {
         if (!has_seen_ && link_room_ == 0)
-            link_room_ = std::min<uint64_t>(uint64_t(bounded_) * expected_links, link_budget());
+            link_room_ = std::min<uint64_t>(uint64_t(total_.bounded) * expected_links, link_budget());
         if (!has_seen_)
             most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
-        scene.grid = grid_over(scene.geometry.bounds, voxels(scene.geometry.bounds, plan), plan.brick);
+        scene.grid = planned(scene.geometry.bounds, plan);
         cells_ = scene.grid.cell_count();
         is_coarsest_ = (plan.brick > 0 ? scene.grid.cloud.brick_count() : cells_) == 1;
         if (links_.size() < link_room_)
@@ -209,6 +243,9 @@ private:
         const uint32_t primitives = scene.geometry.round_count();
         const LinkPrimitives<Real, Backend::primitives_together> link{scene.grid, scene.geometry, counts_.view()};
         backend_.for_each(link.item_count(primitives), link);
+        scene.outskirts = {};
+        if (has_core_)
+            outskirts_.build(scene, outliers_.core(), outliers_.total().left_out, largest_radius_);
         seen_counts_.request(counts_);
     }
 
@@ -216,13 +253,17 @@ private:
 
     Backend& backend_;
     CloudBuilder<Backend, Real> cloud_;
+    OutskirtsBuilder<Backend, Real> outskirts_;
     Buffer<uint32_t> heads_;
     Buffer<GridLink> links_;
     Buffer<uint32_t> large_;
     Buffer<uint32_t> large_count_;
     Buffer<GridCounts> counts_;
     typename Backend::template Receipt<GridCounts> seen_counts_;
-    uint32_t bounded_ = 0;
+    OutlierRule<Backend, Real> outliers_;
+    BoundsTotal<Real> total_; ///< of the scene
+    Real typical_radius_ = Real(0), largest_radius_ = Real(0);
+    bool has_core_ = false;
     uint64_t cells_ = 0;
     bool is_coarsest_ = false; ///< the grid is one voxel, or one brick
     uint64_t link_room_ = 0;

@@ -13,7 +13,8 @@ namespace proxima {
 template <class Backend> class GridCopy {
 public:
     explicit GridCopy(Backend& backend)
-        : arrays_{Buffer(backend), Buffer(backend), Buffer(backend), Buffer(backend), Buffer(backend)} {}
+        : arrays_{Buffer(backend), Buffer(backend), Buffer(backend), Buffer(backend),
+                  Buffer(backend), Buffer(backend), Buffer(backend)} {}
 
     /// `built` is the same scene on `other`, with its grid.
     template <class Real> void take(SceneView<Real>& scene, const SceneView<Real>& built, Backend& other) {
@@ -22,11 +23,14 @@ public:
         scene.geometry.slack = built.geometry.slack;
         scene.geometry.large = built.geometry.large;
         scene.grid = built.grid;
+        scene.outskirts = built.outskirts;
         copy(0, scene.geometry.large, other);
         copy(1, scene.grid.heads, other);
         copy(2, scene.grid.links, other);
         copy(3, scene.grid.cloud.distances, other);
         copy(4, scene.grid.cloud.ranks, other);
+        copy(5, scene.outskirts.heads, other);
+        copy(6, scene.outskirts.links, other);
     }
 
 private:
@@ -37,7 +41,7 @@ private:
         array = {reinterpret_cast<T*>(arrays_[place].view().data()), array.size()};
     }
 
-    std::array<Buffer, 5> arrays_;
+    std::array<Buffer, 7> arrays_;
 };
 
 } // namespace proxima

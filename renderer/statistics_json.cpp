@@ -28,6 +28,7 @@ Json frame_json(const FrameRecord& record) {
             {"grid", statistics.grid},
             {"references", statistics.references},
             {"occupied", statistics.occupied},
+            {"outliers", statistics.outliers},
             {"mean_distance", statistics.mean_distance},
             {"motion_ms", statistics.motion_ms},
             {"build_ms", statistics.build_ms},

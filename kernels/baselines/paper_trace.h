@@ -18,7 +18,7 @@ HD void visit_paper_grid(const SceneView<float>& scene, const PaperGridView& pap
         return;
     const GridView<float>& grid = paper.grid;
     const bool by_length = grid.cloud.metric == Metric::city_block;
-    GridWalk<float> place(grid, ray.ray);
+    GridWalk<float> place(grid, ray.ray, 0.0f);
     bool inside = true;
     do {
         const uint32_t voxel = grid.index(place.cell.x, place.cell.y, place.cell.z);

@@ -175,6 +175,45 @@ TEST_CASE_TEMPLATE("frame: grids, clouds and brute force make the same bits at e
             }
 }
 
+TEST_CASE_TEMPLATE("frame: a cluster in a wide scene has a grid of its own, and the picture is the same", Backend,
+                   BACKENDS) {
+    const auto renderer = make_renderer<Backend>();
+    const RandomSceneSpec specs[] = {
+        {.spheres = 4000, .shape = Shape::stadium, .radius = 0.003},
+        {.spheres = 4000, .shape = Shape::stadium, .radius = 0.003, .mirrors = true, .ground = false},
+        {.spheres = 2000, .shape = Shape::stadium, .radius = 0.005, .glass = true, .ellipsoids = true},
+    };
+    for (const Precision precision : {Precision::float32, Precision::float64})
+        for (uint32_t seed = 0; const RandomSceneSpec& spec : specs)
+            for (const double distance : {0.2, 1.2, 8.0}) { // the last one is outside
+                SceneProgram scene = random_scene(++seed, spec);
+                scene.camera.location = {0.5, 0.3, 0.2 - distance};
+                CAPTURE(seed);
+                FrameSettings settings;
+                settings.width = 80;
+                settings.height = 60;
+                settings.precision = precision;
+                settings.accelerator = Accelerator::brute;
+                const Image brute = render(*renderer, scene, settings);
+                FrameStatistics statistics;
+                for (const Accelerator accelerator : {Accelerator::grid, Accelerator::cloud, Accelerator::automatic})
+                    for (const Metric metric : {Metric::chessboard, Metric::euclidean, Metric::octant}) {
+                        settings.accelerator = accelerator;
+                        settings.metric = metric;
+                        CHECK(same_bits(brute, render(*renderer, scene, settings, &statistics)));
+                        CHECK(statistics.outliers > 20);
+                        CHECK(statistics.outliers < spec.spheres / 16);
+                    }
+                settings.accelerator = Accelerator::grid;
+                const auto tracer = make_renderer<Backend>();
+                tracer->relay_from(make_renderer<Backend>());
+                CHECK(same_bits(brute, render(*tracer, scene, settings)));
+                settings.grid = {20, 30, 10}; // of all bounds
+                CHECK(same_bits(brute, render(*renderer, scene, settings, &statistics)));
+                CHECK(statistics.outliers == 0);
+            }
+}
+
 TEST_CASE_TEMPLATE("frame: two renderings of a scene are the same bits", Backend, BACKENDS) {
     const auto renderer = make_renderer<Backend>();
     const SceneProgram scene = random_scene(4, {.spheres = 5000, .radius = 0.05, .mirrors = true});

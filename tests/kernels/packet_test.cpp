@@ -126,16 +126,75 @@ TEST_CASE("packet: finds what each of its rays finds alone, bit for bit") {
     }
 }
 
+TEST_CASE("packet: finds what each of its rays finds alone in a core and its outskirts") {
+    RandomNumbers random{std::mt19937(12)};
+    CpuBackend backend;
+    std::vector<Sphere<float>> spheres;
+    for (int i = 0; i < 2000; ++i)
+        spheres.push_back(i % 25 == 0 ? Sphere<float>{random.in_cube(), random(0.01, 0.1)}
+                                      : Sphere<float>{0.03f * random.in_cube(), random(0.001, 0.003)});
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    SceneView<float> scene;
+    scene.geometry.spheres = spheres;
+    scene.geometry.sphere_materials = materials;
+    scene.surfaces.materials = surfaces;
+    GridBuilder<CpuBackend, float> builder(backend);
+    builder.find_bounds(scene.geometry);
+    builder.find_core(scene.geometry, false);
+    builder.build(scene, {});
+    REQUIRE(scene.outskirts.in_use());
+    int together = 0, core = 0, outside = 0;
+    for (int i = 0; i < 1500; ++i) {
+        CAPTURE(i);
+        Bundle rays(random, scene, i % 2 ? 0.02f : 0.1f, i % 3 ? infinity<float> : random(0.5, 4), false);
+        const glm::vec3 target = 0.03f * random.in_cube();
+        if (i % 4 == 0) // towards the core
+            for (uint32_t lane = 0; lane < lanes; ++lane)
+                if (lane % 7 != 6) {
+                    Ray<float> ray = rays.based[lane].ray;
+                    ray.direction = glm::normalize(target + 0.002f * random.in_cube() - ray.origin);
+                    rays.based[lane] = rebase(SourcedRay<float>{ray, {}}, scene.geometry.bounds);
+                    rays.packet.set(lane, rays.based[lane], 0.0f, infinity<float>);
+                }
+        Bundle before = rays;
+        bool split = false;
+        search_packet<Sought::nearest>(scene, rays.packet, [&](uint32_t) { split = true; });
+        if (split)
+            continue;
+        ++together;
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            if (lane % 7 == 6)
+                continue;
+            const float reach = before.packet.reach[lane] + before.packet.offset[lane];
+            const Hit<float> hit = find_nearest<RoundShapes::spheres>(scene, before.based[lane], {}, 0.0f, reach, 0);
+            REQUIRE(rays.packet.primitive[lane] == hit.primitive);
+            REQUIRE((hit.primitive == no_primitive || rays.packet.reach[lane] == hit.t));
+            if (hit.primitive != no_primitive)
+                (hit.primitive % 25 == 0 ? outside : core) += 1;
+        }
+    }
+    CHECK(together > 300);
+    CHECK(core > 300);
+    CHECK(outside > 300);
+}
+
 TEST_CASE("packet: pictures are those of single rays, bit for bit") {
     FrameSettings settings;
     settings.width = 75; // tiles stick out
     settings.height = 50;
     PipelineRenderer<CpuBackend> packets(0u);
     PipelineRenderer<SingleRays> single(0u);
-    const RandomSceneSpec specs[] = {{}, {.spheres = 3000, .radius = 0.05}, {.shape = Shape::flat}, {.ground = false}};
-    for (uint32_t seed = 0; seed < 12; ++seed) {
+    const RandomSceneSpec specs[] = {{},
+                                     {.spheres = 3000, .radius = 0.05},
+                                     {.shape = Shape::flat},
+                                     {.ground = false},
+                                     {.spheres = 3000, .shape = Shape::stadium, .radius = 0.003}};
+    for (uint32_t seed = 0; seed < 15; ++seed) {
         CAPTURE(seed);
-        SceneProgram scene = random_scene(seed, specs[seed % 4]);
+        SceneProgram scene = random_scene(seed, specs[seed % 5]);
+        if (seed % 5 == 4)
+            scene.camera.location = {0.5, 0.3, 0.2 - 0.1 * seed};
         if (seed % 3 == 0)
             scene.lights[0].shadowless = 1;
         if (seed % 3 == 1)

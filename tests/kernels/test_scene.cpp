@@ -93,6 +93,8 @@ SceneProgram random_scene(uint32_t seed, const RandomSceneSpec& spec) {
             p.y = p.z = 0.25;
         if (spec.shape == Shape::clusters)
             p = glm::sign(p) * 1.8 + 0.05 * p;
+        if (spec.shape == Shape::stadium && engine() % 40 != 0)
+            p = Vec3<double>(0.5, 0.3, 0.2) + 0.02 * p;
         return p;
     };
     for (uint32_t i = 0; i < spec.spheres; ++i)

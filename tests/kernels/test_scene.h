@@ -32,7 +32,8 @@ SceneProgram empty_scene();
 /// A finish that only emits: a surface has exactly its pigment's colour times `strength`.
 Finish glowing(float strength = 1.0f);
 
-enum class Shape { cube, flat, line, clusters };
+/// `stadium`: one in forty anywhere in the cube, the others within 0.04 of (0.5, 0.3, 0.2).
+enum class Shape { cube, flat, line, clusters, stadium };
 struct RandomSceneSpec {
     uint32_t spheres = 200;
     Shape shape = Shape::cube;

@@ -131,6 +131,94 @@ TEST_CASE_TEMPLATE("traverse: every grid and cloud finds what brute force finds,
     }
 }
 
+namespace {
+
+/// Dense clusters around `middles`, each `width` wide, and `outliers` spheres anywhere in a cube of 2.
+template <class Real>
+std::vector<Sphere<Real>> stadium(RandomNumbers& random, std::span<const Vec3<double>> middles, double width,
+                                  int outliers) {
+    std::vector<Sphere<Real>> spheres;
+    const auto in_cube = [&] { return Vec3<double>(random(-1, 1), random(-1, 1), random(-1, 1)); };
+    for (int i = 0; i < outliers; ++i)
+        spheres.push_back({Vec3<Real>(in_cube()), Real(random(0.1, 1) * width)});
+    while (spheres.size() < size_t(1500 + outliers)) {
+        const Vec3<double> middle = middles[spheres.size() % middles.size()];
+        spheres.push_back({Vec3<Real>(middle + 0.5 * width * in_cube()), Real(random(0.01, 0.05) * width)});
+    }
+    return spheres;
+}
+
+} // namespace
+
+TEST_CASE_TEMPLATE("traverse: a core's grid and its outskirts' find what brute force finds, bit for bit", Real, float,
+                   double) {
+    RandomNumbers random{std::mt19937(9)};
+    CpuBackend backend;
+    const Vec3<double> middles[] = {{0.31, -0.22, 0.43}, {-0.7, 0.1, 0.2}};
+    for (const double width : {0.1, 0.01, 0.001})
+        for (const int outliers : {1, 10, 90}) {
+            const auto spheres = stadium<Real>(random, std::span(middles, 1), width, outliers);
+            const std::vector<uint32_t> materials(spheres.size(), 0);
+            const std::vector<Material> surfaces(1);
+            SceneView<Real> brute;
+            brute.geometry.spheres = spheres;
+            brute.geometry.sphere_materials = materials;
+            brute.surfaces.materials = surfaces;
+            GridBuilder<CpuBackend, Real> builder(backend);
+            builder.find_bounds(brute.geometry);
+            builder.find_core(brute.geometry, false);
+            for (const GridPlan& plan : plans) {
+                CAPTURE(width);
+                CAPTURE(outliers);
+                CAPTURE(plan.size[0]);
+                CAPTURE(plan.brick);
+                CAPTURE(int(plan.metric));
+                SceneView<Real> grid = brute;
+                builder.build(grid, plan);
+                if (plan.brick > 0)
+                    builder.build_distances(grid);
+                if (outliers == 1 && !grid.outskirts.in_use())
+                    continue; // it fell near the others
+                REQUIRE(grid.grid.part == GridPart::core);
+                REQUIRE(grid.outskirts.in_use());
+                const Vec3<Real> extent = grid.grid.box().upper - grid.grid.box().lower;
+                CHECK(max_component(extent) < Real(7 * width));
+                int hits = 0;
+                for (int i = 0; i < 1400; ++i) {
+                    const Sphere<Real>& aim = spheres[i % 4 == 0 ? i % outliers : i];
+                    const Vec3<Real> target =
+                        aim.center + aim.radius * Vec3<Real>(Real(random(-1, 1)), Real(random(-1, 1)), Real(0));
+                    const Box<Real>& around = i % 8 < 4 ? brute.geometry.bounds : grid.grid.box();
+                    const SourcedRay<Real> ray{awkward_ray(random, i % 7, around, target), {}};
+                    const BasedRay<Real> based = rebase(ray, brute.geometry.bounds);
+                    const Hit<Real> a = find_nearest(brute, based, {}, Real(0), infinity<Real>, 0);
+                    const Hit<Real> b = find_nearest(grid, based, {}, Real(0), infinity<Real>, 0);
+                    const Hit<Real> c = find_nearest<RoundShapes::spheres>(grid, based, {}, Real(0), infinity<Real>, 0);
+                    REQUIRE((a.primitive == b.primitive && a.t == b.t));
+                    REQUIRE((a.primitive == c.primitive && a.t == c.t));
+                    REQUIRE(find_any(grid, based, Real(0), infinity<Real>) == (a.primitive != no_primitive));
+                    const Vec3<Real> point = aim.center;
+                    std::vector<uint32_t> around_point;
+                    for_each_around(grid, point, [&](uint32_t id) { around_point.push_back(id); });
+                    REQUIRE(std::count(around_point.begin(), around_point.end(), uint32_t(&aim - spheres.data())) == 1);
+                    hits += a.primitive != no_primitive;
+                }
+                CHECK(hits > 500);
+            }
+        }
+    SUBCASE("not where two clusters are far apart") {
+        const auto spheres = stadium<Real>(random, middles, 0.01, 20);
+        SceneView<Real> scene;
+        scene.geometry.spheres = spheres;
+        GridBuilder<CpuBackend, Real> builder(backend);
+        builder.find_bounds(scene.geometry);
+        builder.find_core(scene.geometry, false);
+        builder.build(scene, {});
+        CHECK(scene.grid.part == GridPart::all);
+        CHECK_FALSE(scene.outskirts.in_use());
+    }
+}
+
 TEST_CASE("traverse: a ray that has passed a hit sees each surface once, and what is there twice as if once") {
     const std::vector<Sphere<double>> spheres{{{0, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 0, 0.5}, 1}, {{0, 0, 0}, 1}};
     const std::vector<uint32_t> materials(spheres.size(), 0);
