@@ -19,13 +19,17 @@ template <class Byte> struct BrickLine {
     HD void store(int32_t i, int32_t distance) const { first[i * stride] = uint8_t(smaller(distance, 255)); }
 };
 
-/// For chessboard distances, the least max(|k|, line[i + k]) over all k of a line; for octants over k >= 0 only. No
-/// brick farther than the answer is looked at.
+/// For chessboard distances, the least max(|k|, line[i + k]) over all k of a line; for octants over k >= 0 only. Looks
+/// a few bricks farther than the answer at most: `together` of them are on their way from memory at once.
 HD inline int32_t chessboard_distance(const BrickLine<const uint8_t>& line, int32_t i, bool ahead_only) {
+    constexpr int32_t together = 4;
     int32_t distance = line[i];
-    for (int32_t k = 1; k < distance && k < line.count; ++k) {
-        const int32_t value = ahead_only ? line[i + k] : smaller(line[i - k], line[i + k]);
-        distance = smaller(distance, larger(k, value));
+    for (int32_t k = 1; k < distance && k < line.count; k += together) {
+        int32_t values[together];
+        for (int32_t j = 0; j < together; ++j)
+            values[j] = ahead_only ? line[i + k + j] : smaller(line[i - k - j], line[i + k + j]);
+        for (int32_t j = 0; j < together; ++j)
+            distance = smaller(distance, larger(k + j, values[j]));
     }
     return distance;
 }
