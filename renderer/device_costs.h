@@ -8,8 +8,8 @@ namespace proxima {
 
 /// Two cores together.
 inline constexpr DeviceCosts cpu_costs{
-    .of = {.grid = {.primitive = 36, .reference = 13, .voxel = 2, .ray = 250, .lookup = 14},
-           .cloud = {.primitive = 55, .reference = 20, .voxel = 5, .brick = 28, .ray = 300, .lookup = 45}},
+    .of = {.grid = {.primitive = 36, .reference = 13, .voxel = 2, .ray = 120, .lookup = 25, .shared = 60},
+           .cloud = {.primitive = 55, .reference = 20, .voxel = 5, .brick = 28, .ray = 120, .lookup = 50}},
     .fewest = 5'000};
 
 inline constexpr DeviceCosts cuda_costs{

@@ -8,7 +8,7 @@
 #include "parser/scene_program.h"
 #include "renderer/frame_step.h"
 #include "renderer/image.h"
-#include "renderer/method_prior.h"
+#include "renderer/method_record.h"
 
 #include <array>
 #include <memory>

@@ -7,7 +7,7 @@
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_resolution.h"
-#include "renderer/method_prior.h"
+#include "renderer/method_record.h"
 
 #include <algorithm>
 #include <bit>

@@ -3,6 +3,7 @@
 // both. One for a device; what the frames of all its workers took goes in, the method of the next one comes out.
 #pragma once
 #include "renderer/frame_renderer.h"
+#include "renderer/method_prior.h"
 
 #include <algorithm>
 #include <mutex>

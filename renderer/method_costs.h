@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a frame's work takes on a kind of device, by grid and by cloud. Counts in, milliseconds out.
 #pragma once
-#include <cstdint>
+#include "renderer/method_record.h"
+
+#include <cmath>
 
 namespace proxima {
-
-/// How rays find spheres, where there is a choice.
-enum class SearchMethod : uint8_t { grid, cloud };
-
-constexpr SearchMethod other_than(SearchMethod method) {
-    return method == SearchMethod::grid ? SearchMethod::cloud : SearchMethod::grid;
-}
-
-/// A value of each method.
-template <class T> struct OfMethods {
-    T grid{}, cloud{};
-
-    constexpr T& operator[](SearchMethod method) { return method == SearchMethod::grid ? grid : cloud; }
-    constexpr const T& operator[](SearchMethod method) const { return method == SearchMethod::grid ? grid : cloud; }
-};
 
 /// What a frame does by one method.
 struct MethodWork {
@@ -35,13 +22,17 @@ struct MethodCosts {
     double build_ms = 0, primitive = 0, reference = 0, voxel = 0;
     double map_ms = 0, brick = 0;
     double ray = 0, lookup = 0;
+    double shared = 0; ///< rays to a voxel's face at which a lookup takes half: packets share them; 0: nothing does
 
     constexpr double build(const MethodWork& work) const {
         return build_ms + 1e-6 * (primitive * work.primitives + reference * work.references + voxel * work.voxels);
     }
     constexpr double map(const MethodWork& work) const { return map_ms + 1e-6 * brick * work.bricks; }
-    constexpr double trace(const MethodWork& work) const { return 1e-6 * work.rays * (ray + lookup * work.lookups); }
-    constexpr double frame(const MethodWork& work) const { return build(work) + map(work) + trace(work); }
+    double trace(const MethodWork& work) const {
+        const double together = shared > 0 ? work.rays / std::pow(work.voxels, 2.0 / 3) / shared : 0;
+        return 1e-6 * work.rays * (ray + lookup * work.lookups / (1 + together));
+    }
+    double frame(const MethodWork& work) const { return build(work) + map(work) + trace(work); }
 };
 
 /// Those of a kind of device, see device_costs.h.

@@ -5,8 +5,8 @@
 #include "renderer/method_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
+#include <string>
 
 namespace proxima {
 namespace {
@@ -70,9 +70,9 @@ private:
     Image image_;
 };
 
+/// To four digits.
 double rounded(double value) {
-    const double unit = value > 0 ? std::pow(10.0, std::floor(std::log10(value)) - 3) : 1;
-    return std::round(value / unit) * unit;
+    return std::stod(fmt::format("{:.4g}", value));
 }
 
 /// Of voxels' heads, of lists, and of a cloud's ranks and two maps.

@@ -6,18 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace proxima {
-
-/// What a look finds: the bricks of a cloud that need not be built for it.
-struct EmptySpace {
-    uint64_t primitives = 0; ///< in the bricks
-    uint64_t bricks = 0, empty = 0;
-    double mean_distance = 0; ///< chessboard, over the empty bricks, in bricks (Cohen and Sheffer's own measure)
-
-    double occupied() const { return bricks > 0 ? 1 - double(empty) / double(bricks) : 0; }
-};
 
 /// The work of frames with `rays` rays of the camera. A ray along an axis has 4 lookups in an occupied brick of the
 /// cloud and one a leap, and 4^(1/3) in a brick's place in the grid, where there are 4 voxels to a brick. How far rays
@@ -48,20 +38,5 @@ inline OfMethods<double> predicted_ms(const DeviceCosts& costs, const EmptySpace
     const OfMethods<MethodWork> work = likely_work(space, rays);
     return {costs.of.grid.frame(work.grid), costs.of.cloud.frame(work.cloud)};
 }
-
-/// asked: for by name; few: primitives; prior: by predicted_ms; trial: to be timed; measured: both have been timed.
-enum class MethodReason : uint8_t { asked, few, prior, trial, measured };
-
-inline const char* name_of(MethodReason reason) {
-    static constexpr const char* names[] = {"asked", "few", "prior", "trial", "measured"};
-    return names[size_t(reason)];
-}
-
-/// Why a frame is by grid or cloud, and what was known then; milliseconds of build, map and trace, 0 where unknown.
-struct MethodRecord {
-    MethodReason reason = MethodReason::asked;
-    EmptySpace space{};
-    OfMethods<double> predicted{}, measured{};
-};
 
 } // namespace proxima

@@ -32,10 +32,12 @@ std::vector<double> fit(const std::vector<Equation>& equations) {
 
 } // namespace
 
-DeviceCosts fit_costs(const std::vector<ChoiceRow>& rows) {
+DeviceCosts fit_costs(const std::vector<ChoiceRow>& rows, double shared) {
     constexpr double ns = 1e-6;
     DeviceCosts costs;
     for (const SearchMethod method : {SearchMethod::grid, SearchMethod::cloud}) {
+        MethodCosts& of = costs.of[method];
+        of.shared = method == SearchMethod::grid ? shared : 0;
         std::vector<Equation> builds, maps, traces;
         for (const ChoiceRow& row : rows) {
             if (row.set != "fit")
@@ -44,9 +46,9 @@ DeviceCosts fit_costs(const std::vector<ChoiceRow>& rows) {
             builds.push_back({{1, ns * work.primitives, ns * work.references, ns * work.voxels}, build});
             if (map > 0)
                 maps.push_back({{1, ns * work.bricks}, map});
-            traces.push_back({{ns * work.rays, ns * work.rays * work.lookups}, trace});
+            MethodCosts lookup{.lookup = 1, .shared = of.shared};
+            traces.push_back({{ns * work.rays, lookup.trace(work)}, trace});
         }
-        MethodCosts& of = costs.of[method];
         const std::vector<double> b = fit(builds), t = fit(traces);
         of.build_ms = b[0], of.primitive = b[1], of.reference = b[2], of.voxel = b[3];
         of.ray = t[0], of.lookup = t[1];

@@ -32,8 +32,8 @@ void print_losses(const std::vector<ChoiceRow>& rows, const char* set, const cha
 
 void print_costs(const char* name, const MethodCosts& c) {
     fmt::print(".{} = {{.build_ms = {:.3g}, .primitive = {:.3g}, .reference = {:.3g}, .voxel = {:.3g}, .map_ms = "
-               "{:.3g}, .brick = {:.3g}, .ray = {:.3g}, .lookup = {:.3g}}}\n",
-               name, c.build_ms, c.primitive, c.reference, c.voxel, c.map_ms, c.brick, c.ray, c.lookup);
+               "{:.3g}, .brick = {:.3g}, .ray = {:.3g}, .lookup = {:.3g}, .shared = {:g}}}\n",
+               name, c.build_ms, c.primitive, c.reference, c.voxel, c.map_ms, c.brick, c.ray, c.lookup, c.shared);
 }
 
 /// What `costs` are worth on measured times.
@@ -94,10 +94,12 @@ void print_rows(const std::vector<ChoiceRow>& rows) {
 }
 
 void print_fit(const std::vector<ChoiceRow>& rows) {
-    const DeviceCosts costs = fit_costs(rows);
-    print_costs("grid", costs.of.grid);
-    print_costs("cloud", costs.of.cloud);
-    print_choices(rows, costs, "as fitted");
+    for (const double shared : {cuda_costs.of.grid.shared, cpu_costs.of.grid.shared}) {
+        const DeviceCosts costs = fit_costs(rows, shared);
+        print_costs("grid", costs.of.grid);
+        print_costs("cloud", costs.of.cloud);
+        print_choices(rows, costs, shared > 0 ? "fitted to a CPU" : "fitted to a GPU");
+    }
     print_choices(rows, cpu_costs, "cpu_costs as they are");
     print_choices(rows, cuda_costs, "cuda_costs as they are");
 }

@@ -31,8 +31,9 @@ struct ChoiceRow {
 void write_table(const std::filesystem::path& path, const std::vector<ChoiceRow>& rows);
 std::vector<ChoiceRow> read_table(const std::filesystem::path& path);
 
-/// The coefficients that make the least relative errors on rows of the set "fit"; none is negative.
-DeviceCosts fit_costs(const std::vector<ChoiceRow>& rows);
+/// The coefficients that make the least relative errors on rows of the set "fit"; none is negative. `shared`: the
+/// grid's, which is not fitted.
+DeviceCosts fit_costs(const std::vector<ChoiceRow>& rows, double shared);
 
 /// The mean milliseconds of `frames` frames that MethodChoice chooses for when frames take as long as in `row`, a look
 /// takes `look_ms`, and the first frame by a method twice its time.
