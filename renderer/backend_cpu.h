@@ -2,6 +2,7 @@
 // The CPU backend: a device's verbs (for_each, reduce) and its buffers, by oneTBB on the host's cores.
 #pragma once
 #include "kernels/platform.h"
+#include "renderer/device_costs.h"
 #include "renderer/device_error.h"
 #include "renderer/image.h"
 #include "renderer/memory_meter.h"
@@ -30,7 +31,7 @@ class CpuBackend {
 public:
     /// Rays in flight that have stacks: enough to keep the cores busy.
     static constexpr uint64_t stack_memory = 16ull << 20;
-    static constexpr uint32_t fewest_for_cloud = 5'000; ///< primitives
+    static constexpr const DeviceCosts& method_costs = cpu_costs;
     static constexpr uint32_t primitives_together = 64; ///< of an item of LinkPrimitives
     static constexpr bool traces_packets = true;        ///< has for_each_packet
     static constexpr bool is_immediate = true;          ///< a verb is done when it returns

@@ -4,6 +4,7 @@
 #pragma once
 #include "kernels/platform.h"
 #include "renderer/cuda_check.h"
+#include "renderer/device_costs.h"
 #include "renderer/image.h"
 #include "renderer/memory_meter.h"
 
@@ -44,7 +45,7 @@ template <class T> struct Combine {
 class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
-    static constexpr uint32_t fewest_for_cloud = 50'000; ///< primitives; with fewer, launches cost more than steps
+    static constexpr const DeviceCosts& method_costs = cuda_costs;
     static constexpr uint32_t primitives_together = 1;   ///< of an item of LinkPrimitives
     static constexpr bool traces_packets = false;
     static constexpr bool is_immediate = false; ///< verbs are done after the next synchronize()

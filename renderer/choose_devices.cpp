@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/choose_devices.h"
+#include "renderer/device_costs.h"
 #include "renderer/device_error.h"
 #include "renderer/errors.h"
+#include "renderer/shared_method_choice.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -32,11 +34,13 @@ unsigned share_of_threads(const DeviceChoice& choice, unsigned threads) {
 }
 
 void add_cpu(std::vector<ChosenDevice>& devices, unsigned threads) {
-    add(devices, {"cpu", false, [threads] { return make_cpu_renderer(threads); }});
+    const auto choice = std::make_shared<SharedMethodChoice>(cpu_costs);
+    add(devices, {"cpu", false, [=] { return make_cpu_renderer(threads, choice->take()); }});
 }
 
 void add_cuda(std::vector<ChosenDevice>& devices, int ordinal) {
-    add(devices, {fmt::format("cuda:{}", ordinal), true, [ordinal] { return make_cuda_renderer(ordinal); }});
+    const auto choice = std::make_shared<SharedMethodChoice>(cuda_costs);
+    add(devices, {fmt::format("cuda:{}", ordinal), true, [=] { return make_cuda_renderer(ordinal, choice->take()); }});
 }
 
 [[noreturn]] void refuse(const std::string& device, const std::string& reason) {

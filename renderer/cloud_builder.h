@@ -62,6 +62,8 @@ public:
         const DistanceTotal& total = seen_total_.value();
         return total.empty ? double(total.sum) / double(total.empty) : 0.0;
     }
+    /// Those that it is the mean of.
+    uint64_t empty_bricks() const { return seen_total_.value().empty; }
     uint64_t bytes() const { return marks_.bytes() + ranks_.bytes() + maps_[0].bytes() + maps_[1].bytes(); }
 
 private:

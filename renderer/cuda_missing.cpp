@@ -6,7 +6,7 @@
 
 namespace proxima {
 
-std::unique_ptr<FrameRenderer> make_cuda_renderer(int) {
+std::unique_ptr<FrameRenderer> make_cuda_renderer(int, std::shared_ptr<MethodChoice>) {
     throw DeviceError(DeviceError::Kind::unavailable, "this program was built without CUDA");
 }
 

@@ -7,8 +7,8 @@
 
 namespace proxima {
 
-std::unique_ptr<FrameRenderer> make_cpu_renderer(unsigned threads) {
-    return std::make_unique<PipelineRenderer<CpuBackend>>(threads);
+std::unique_ptr<FrameRenderer> make_cpu_renderer(unsigned threads, std::shared_ptr<MethodChoice> choice) {
+    return std::make_unique<PipelineRenderer<CpuBackend>>(std::move(choice), threads);
 }
 
 DeviceDescription describe_cpu(unsigned threads) {

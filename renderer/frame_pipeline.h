@@ -3,13 +3,13 @@
 // picture and what it took go out.
 #pragma once
 #include "renderer/aov_tracer.h"
-#include "renderer/cloud_choice.h"
 #include "renderer/device_scene.h"
 #include "renderer/film_reader.h"
 #include "renderer/film_tracer.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_builder.h"
 #include "renderer/grid_copy.h"
+#include "renderer/method_choice.h"
 #include "renderer/step_clock.h"
 
 #include <optional>
@@ -24,15 +24,17 @@ struct BuilderFailed : std::runtime_error {
 
 template <class Backend, class Real> class FramePipeline {
 public:
-    explicit FramePipeline(Backend& backend)
+    /// `choice` is of all that renders on the device.
+    FramePipeline(Backend& backend, std::shared_ptr<MethodChoice> choice)
         : backend_(backend), scene_(backend), grid_(backend), tracer_(backend), aovs_(backend), reader_(backend),
-          film_(backend), sum_(backend), choice_(Backend::fewest_for_cloud), clock_(backend), copy_(backend) {}
+          film_(backend), sum_(backend), choice_(std::move(choice)), clock_(backend), copy_(backend) {}
 
     void set_scene(const SceneProgram& program) {
         scene_.upload(program);
         moved_to_.reset();
         built_for_.reset();
         grid_.forget();
+        choice_->expect_change();
     }
 
     /// `builder` has the same scene on another device and builds for this one; null for nobody.
@@ -136,6 +138,10 @@ private:
     void expose(const FrameSettings& settings, const FilmView& film, FrameStatistics& statistics) {
         const FrameSettings whole = settings.with_rows({});
         bool is_new = settings.rows.count == 0 || built_for_ != whole;
+        const double before = method_ms(statistics);
+        FramePipeline& builder = builder_ ? *builder_ : *this;
+        if (is_new)
+            builder.chosen_.reset();
         built_for_.reset();
         do {
             if (is_new && builder_)
@@ -153,6 +159,21 @@ private:
         built_for_ = whole;
         (builder_ ? builder_->grid_ : grid_).report(built_.grid, statistics);
         statistics.method = built_.grid.cloud.in_use() ? "cloud" : built_.grid.in_use() ? "grid" : "brute";
+        builder.note_choice(settings, method_ms(statistics) - before, statistics);
+    }
+
+    /// What depends on the method.
+    static double method_ms(const FrameStatistics& s) { return s.build_ms + s.cloud_ms + s.relay_ms + s.trace_ms; }
+
+    /// Tells the choice what its frame took, unless that is not like others: a band, or one that looked.
+    void note_choice(const FrameSettings& settings, double milliseconds, FrameStatistics& statistics) {
+        const bool is_free = settings.accelerator == Accelerator::automatic;
+        statistics.choice = chosen_ ? chosen_->record : MethodRecord{is_free ? MethodReason::few : MethodReason::asked};
+        if (!chosen_ || chosen_->epoch == 0 || settings.rows.count != 0)
+            return;
+        uint64_t& warm = warm_[chosen_->method];
+        choice_->end(*chosen_, milliseconds, warm == chosen_->epoch && !chosen_->looks);
+        warm = chosen_->epoch;
     }
 
     /// After finish_steps(): whether the grid was given too little room.
@@ -237,20 +258,34 @@ private:
                (settings.accelerator == Accelerator::automatic && scene.geometry.round_count() > few);
     }
 
-    /// A grid, or a cloud over a finer one: as asked for, or by what is found in between the primitives. A size that
-    /// is asked for is a grid's unless a cloud is, too. The cloud's distances are measured later.
+    /// A grid, or a cloud over a finer one: as asked for or as chosen. A size that is asked for is a grid's unless a
+    /// cloud is, too. The cloud's distances are measured later.
     void build_grid(const FrameSettings& settings, SceneView<Real>& scene) {
         const GridPlan cloud{.size = settings.grid,
                              .voxels_per_primitive = 32,
                              .brick = settings.brick ? settings.brick : 4,
                              .metric = settings.metric};
-        const bool chooses = settings.accelerator == Accelerator::automatic && settings.grid[0] == 0;
-        if (settings.aovs.steps) // then the choice is seen in the file, and must not depend on the frames before
-            choice_ = CloudChoice(Backend::fewest_for_cloud);
-        if (chooses && choice_.is_due(scene.geometry.round_count()))
-            choice_.report(grid_.mean_distance(scene, cloud));
-        const bool uses_cloud = settings.accelerator == Accelerator::cloud || (chooses && choice_.uses_cloud());
-        grid_.build(scene, uses_cloud ? cloud : GridPlan{.size = settings.grid});
+        if (!chosen_)
+            chosen_ = choose(settings, scene);
+        grid_.build(scene, chosen_->method == SearchMethod::cloud ? cloud : GridPlan{.size = settings.grid});
+    }
+
+    MethodChoice::Frame choose(const FrameSettings& settings, const SceneView<Real>& scene) {
+        MethodChoice::Frame frame;
+        if (settings.accelerator != Accelerator::automatic || settings.grid[0] != 0) {
+            frame.method = settings.accelerator == Accelerator::cloud ? SearchMethod::cloud : SearchMethod::grid;
+            return frame;
+        }
+        if (!settings.aovs.steps)
+            frame = choice_->begin(settings, scene.geometry.round_count());
+        if (!settings.aovs.steps && !frame.looks)
+            return frame;
+        const EmptySpace space = grid_.look(scene, {.voxels_per_primitive = 32, .brick = 4});
+        if (settings.aovs.steps) // then the choice is seen in the file
+            choice_->decide_alone(frame, settings, space);
+        else
+            choice_->see(frame, space);
+        return frame;
     }
 
     Backend& backend_;
@@ -261,7 +296,9 @@ private:
     FilmReader<Backend> reader_;
     Buffer<glm::vec3> film_;
     Buffer<glm::vec3> sum_; ///< of exposures
-    CloudChoice choice_;
+    std::shared_ptr<MethodChoice> choice_;
+    std::optional<MethodChoice::Frame> chosen_; ///< of the frame
+    OfMethods<uint64_t> warm_;                  ///< epochs of the choice in which frames were made by each method
     StepWatch* watch_ = nullptr;
     StepClock<Backend> clock_;
     FramePipeline* builder_ = nullptr;

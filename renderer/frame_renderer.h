@@ -8,6 +8,7 @@
 #include "parser/scene_program.h"
 #include "renderer/frame_step.h"
 #include "renderer/image.h"
+#include "renderer/method_record.h"
 
 #include <array>
 #include <memory>
@@ -77,7 +78,8 @@ struct FrameSettings {
 
 /// What a frame took and what it was made with. Milliseconds; a step that did not run is 0.
 struct FrameStatistics {
-    std::string method; ///< "grid", "cloud" or "brute"
+    std::string method;  ///< "grid", "cloud" or "brute"
+    MethodRecord choice; ///< why
     std::array<uint32_t, 3> grid{0, 0, 0};
     uint64_t references = 0; ///< entries in all voxels' lists
     uint64_t occupied = 0;   ///< voxels with at least one
@@ -160,10 +162,13 @@ struct DeviceDescription {
     std::string note;    ///< cores, compute capability
 };
 
-/// `threads` 0 is one for each core that the process may use.
-std::unique_ptr<FrameRenderer> make_cpu_renderer(unsigned threads);
+class MethodChoice;
+
+/// `threads` 0 is one for each core that the process may use. `choice` is that of all renderers of the device; null
+/// for one of its own.
+std::unique_ptr<FrameRenderer> make_cpu_renderer(unsigned threads, std::shared_ptr<MethodChoice> choice = {});
 /// Throws DeviceError when this build has no CUDA or the host has no such device.
-std::unique_ptr<FrameRenderer> make_cuda_renderer(int ordinal);
+std::unique_ptr<FrameRenderer> make_cuda_renderer(int ordinal, std::shared_ptr<MethodChoice> choice = {});
 
 /// The CUDA devices of this host. Empty without a driver, a device, or CUDA in the build; `reason` then says which.
 std::vector<DeviceDescription> list_cuda_devices(std::string& reason);

@@ -7,6 +7,7 @@
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/grid_resolution.h"
+#include "renderer/method_record.h"
 #include "renderer/outlier_rule.h"
 #include "renderer/outskirts_builder.h"
 
@@ -32,7 +33,7 @@ public:
 
     /// What is known of the lists' lengths is of another scene.
     void forget() {
-        has_seen_ = false;
+        has_seen_ = {};
         most_voxels_ = GridRule{}.most_voxels;
         outliers_.forget();
     }
@@ -82,7 +83,7 @@ public:
             return;
         do {
             start(scene, plan);
-            if (has_seen_ && !Backend::is_immediate)
+            if (has_seen_[plan.brick > 0] && !Backend::is_immediate)
                 return;
             backend_.synchronize();
         } while (!is_complete());
@@ -100,8 +101,9 @@ public:
         link_room_ = counts.links + counts.links / 8;
         if (!is_coarsest_) // otherwise there is no way but to ask the device, which may be out of memory then
             link_room_ = std::min(link_room_, most_links_now);
-        brick_room_ = uint32_t(std::min<uint64_t>(counts.bricks + counts.bricks / 8 + 64, 0xfffffffe));
-        has_seen_ = whole;
+        if (counts.bricks > 0) // a grid without them in between does not take the cloud's room
+            brick_room_ = uint32_t(std::min<uint64_t>(counts.bricks + counts.bricks / 8 + 64, 0xfffffffe));
+        has_seen_[counts.bricks > 0] = whole;
         return whole;
     }
 
@@ -121,16 +123,16 @@ public:
         statistics.mean_distance = cloud_.mean_distance();
     }
 
-    /// The mean distance over the empty bricks of the cloud that `plan` would make: only its bricks are marked, and no
-    /// lists are made. Waits for the device.
-    double mean_distance(SceneView<Real> scene, const GridPlan& plan) {
+    /// What there is of the cloud that `plan` would make: only its bricks are marked, and no lists are made. Waits for
+    /// the device.
+    EmptySpace look(SceneView<Real> scene, const GridPlan& plan) {
         if (total_.bounded == 0)
-            return 0;
+            return {};
         scene.grid = planned(scene.geometry.bounds, plan);
         cloud_.mark_planned(scene, plan.metric);
         cloud_.measure(scene.grid.cloud);
         backend_.synchronize();
-        return cloud_.mean_distance();
+        return {bounded_, scene.grid.cloud.brick_count(), cloud_.empty_bricks(), cloud_.mean_distance()};
     }
 
     /// Starts to measure the cloud's distances. The scene's grid must have been built with one.
@@ -219,9 +221,9 @@ private:
     }
 
     void start(SceneView<Real>& scene, const GridPlan& plan) {
-        if (!has_seen_ && link_room_ == 0)
+        if (!has_seen_[plan.brick > 0] && link_room_ == 0)
             link_room_ = std::min<uint64_t>(uint64_t(total_.bounded) * expected_links, link_budget());
-        if (!has_seen_)
+        if (!has_seen_[plan.brick > 0])
             most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
         scene.grid = planned(scene.geometry.bounds, plan);
         cells_ = scene.grid.cell_count();
@@ -269,7 +271,7 @@ private:
     uint64_t link_room_ = 0;
     uint32_t brick_room_ = 0;
     uint64_t most_voxels_ = GridRule{}.most_voxels;
-    bool has_seen_ = false;
+    std::array<bool, 2> has_seen_{}; ///< whole lists: without a cloud, with one
 };
 
 } // namespace proxima

@@ -62,6 +62,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_scene_options(*plan, plan_texts);
     add_choice_options(*plan, plan_texts, "plan for");
     add_shutter_options(*plan, plan_texts);
+    DeviceTexts plan_device;
+    add_device_options(*plan, plan_device);
     plan->add_flag("--json", plan_options.json, "As JSON");
     BenchTexts bench_texts;
     const CLI::App* bench = add_bench(app, bench_texts);
@@ -100,6 +102,9 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (plan->parsed()) {
         apply_ini(*plan, plan_texts);
         plan_options.scene = read_scene_options(plan_texts);
+        plan_options.frame = read_frame_settings(plan_options.scene, plan_device);
+        plan_options.device = parse_device(plan_device.device);
+        plan_options.threads = parse_count("--threads", plan_device.threads, 0, 4096);
         return plan_options;
     }
     if (bench->parsed())

@@ -104,6 +104,9 @@ struct CheckOptions {
 
 struct PlanOptions {
     SceneOptions scene;
+    FrameSettings frame;
+    DeviceChoice device;
+    unsigned threads = 0;
     bool json = false;
 };
 

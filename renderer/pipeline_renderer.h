@@ -10,7 +10,10 @@ namespace proxima {
 
 template <class Backend> class PipelineRenderer : public FrameRenderer {
 public:
-    explicit PipelineRenderer(auto... arguments) : backend_(arguments...) {}
+    /// `choice`: the device's; null for one of its own.
+    explicit PipelineRenderer(std::shared_ptr<MethodChoice> choice, auto... arguments)
+        : backend_(arguments...),
+          choice_(choice ? std::move(choice) : std::make_shared<MethodChoice>(Backend::method_costs)) {}
 
     std::string name() const override { return backend_.name(); }
 
@@ -72,7 +75,7 @@ private:
 
     template <class Pipeline> void take(std::unique_ptr<Pipeline>& pipeline, const SceneProgram& scene) {
         if (!pipeline)
-            pipeline = std::make_unique<Pipeline>(backend_);
+            pipeline = std::make_unique<Pipeline>(backend_, choice_);
         pipeline->set_scene(scene);
     }
 
@@ -89,6 +92,7 @@ private:
     }
 
     Backend backend_;
+    std::shared_ptr<MethodChoice> choice_;
     StepWatch* watch_ = nullptr;
     std::unique_ptr<FramePipeline<Backend, float>> single_;
     std::unique_ptr<FramePipeline<Backend, double>> double_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "renderer/choose_devices.h"
 #include "renderer/commands.h"
 #include "renderer/errors.h"
 #include "renderer/feature_plan.h"
+#include "renderer/method_plan.h"
 #include "renderer/motion_plan.h"
 #include "renderer/precision_plan.h"
 #include "renderer/scene_source.h"
@@ -16,11 +18,17 @@ void plan_command(const PlanOptions& options) {
         throw UsageError("--shard: nothing to plan: there are fewer frames than shards");
     SceneSource scene(options.scene);
     scene.record_stills();
-    scene.scenes(animation.frames.front());
+    const FrameScenes scenes = scene.scenes(animation.frames.front());
     std::fputs(scene.messages(false).c_str(), stderr);
-    const std::vector<PlanSection> sections{motion_plan(scene.program(), scene.obstacle(), animation),
-                                            feature_plan(scene.program(), animation),
-                                            precision_plan(scene.program(), scene.float_fit())};
+    std::vector<PlanSection> sections{motion_plan(scene.program(), scene.obstacle(), animation),
+                                      feature_plan(scene.program(), animation),
+                                      precision_plan(scene.program(), scene.float_fit())};
+    const ChosenDevice device = choose_devices(options.device, options.threads).front();
+    try {
+        sections.push_back(method_plan(scenes, options.frame, device));
+    } catch (const MotionUndefined&) {
+        sections.push_back(method_plan(scene.scenes_by_script(animation.frames.front()), options.frame, device));
+    }
     std::fputs((options.json ? plan_json(sections) : plan_text(sections)).c_str(), stdout);
 }
 

@@ -15,6 +15,21 @@ Json metric_json(const FrameStatistics& statistics) {
     return statistics.method == "cloud" ? Json(names[size_t(statistics.metric)]) : Json();
 }
 
+/// A method's times as they were known before the frame; null where they were not.
+Json method_json(double predicted_ms, double measured_ms) {
+    const auto known = [](double ms) { return ms > 0 ? Json(ms) : Json(); };
+    return {{"predicted_ms", known(predicted_ms)}, {"measured_ms", known(measured_ms)}};
+}
+
+Json choice_json(const MethodRecord& choice) {
+    const bool has_looked = choice.space.bricks > 0;
+    return {{"why", name_of(choice.reason)},
+            {"occupied_bricks", has_looked ? Json(choice.space.occupied()) : Json()},
+            {"mean_distance", has_looked ? Json(choice.space.mean_distance) : Json()},
+            {"grid", method_json(choice.predicted.grid, choice.measured.grid)},
+            {"cloud", method_json(choice.predicted.cloud, choice.measured.cloud)}};
+}
+
 Json frame_json(const FrameRecord& record) {
     const FrameStatistics& statistics = record.statistics;
     return {{"frame", record.frame},
@@ -23,6 +38,7 @@ Json frame_json(const FrameRecord& record) {
             {"device", record.device},
             {"precision", record.precision},
             {"method", statistics.method},
+            {"choice", choice_json(statistics.choice)},
             {"metric", metric_json(statistics)},
             {"brick", statistics.brick},
             {"grid", statistics.grid},
