@@ -132,7 +132,7 @@ public:
         cloud_.mark_planned(scene, plan.metric);
         cloud_.measure(scene.grid.cloud);
         backend_.synchronize();
-        return {bounded_, scene.grid.cloud.brick_count(), cloud_.empty_bricks(), cloud_.mean_distance()};
+        return {total_.bounded, scene.grid.cloud.brick_count(), cloud_.empty_bricks(), cloud_.mean_distance()};
     }
 
     /// Starts to measure the cloud's distances. The scene's grid must have been built with one.
