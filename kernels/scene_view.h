@@ -39,12 +39,16 @@ template <class Real> struct ShapesView {
     HD const Ellipsoid<Real>& ellipsoid(uint32_t id) const { return ellipsoids[id - sphere_count()]; }
     HD const Plane<Real>& plane(uint32_t id) const { return planes[id - round_count()]; }
     HD bool empty() const { return spheres.empty() && ellipsoids.empty() && planes.empty(); }
-    /// Whether a scene has a sphere or a plane twice: as these two.
+    /// Whether a scene has a primitive twice: as these two.
     HD bool is_repeated(uint32_t a, uint32_t b) const {
         if (is_sphere(a))
             return is_sphere(b) && spheres[a].radius == spheres[b].radius && spheres[a].center == spheres[b].center;
-        return is_plane(a) && is_plane(b) && plane(a).distance == plane(b).distance &&
-               plane(a).normal == plane(b).normal;
+        if (is_plane(a))
+            return is_plane(b) && plane(a).distance == plane(b).distance && plane(a).normal == plane(b).normal;
+        if (is_sphere(b) || is_plane(b))
+            return false;
+        const Affine<Real>&first = ellipsoid(a).world_from_object, &second = ellipsoid(b).world_from_object;
+        return first.linear == second.linear && first.offset == second.offset;
     }
 };
 

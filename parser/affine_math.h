@@ -2,7 +2,7 @@
 // POV-Ray's transforms as affine maps, of doubles or of numbers that follow from the time. Angles in degrees; the
 // system is left-handed.
 #pragma once
-#include "kernels/vector_math.h"
+#include "kernels/geometry.h"
 
 #include <cmath>
 #include <numbers>
@@ -11,6 +11,17 @@ namespace proxima {
 
 inline bool is_constant_zero(double number) {
     return number == 0;
+}
+
+inline bool is_finite(const Vec3<double>& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+inline bool is_finite(const Affine<double>& map) {
+    return is_finite(map.linear[0]) && is_finite(map.linear[1]) && is_finite(map.linear[2]) && is_finite(map.offset);
+}
+
+inline bool is_finite(const Sphere<double>& sphere) {
+    return is_finite(sphere.center) && std::isfinite(sphere.radius);
 }
 
 /// A map and its inverse, made together: scaling by 1e-9 must not cost the inverse its digits.

@@ -82,7 +82,7 @@ Sphere<double> Evaluator::sphere_numbers(PartNodes& nodes) {
 
 /// A sphere of its own, behind its word. Loops make millions of them: one that ends plainly goes straight into the
 /// scene.
-void Evaluator::sphere_item() {
+void Evaluator::sphere_item(const Token& start) {
     const Nesting nesting(*this);
     expect(TokenKind::left_brace);
     const bool is_copy = identifier<ShapeRef>();
@@ -100,8 +100,19 @@ void Evaluator::sphere_item() {
     else
         shape.add(numbers, nodes);
     object_modifiers(shape, Word::sphere);
+    add_to_scene(shape, start);
+}
+
+/// An object that begins at `start`, whole.
+void Evaluator::add_to_scene(Shape& shape, const Token& start) {
     shape.dress_parts();
-    builder_.add_shape(shape, default_texture_);
+    if (builder_.add_shape(shape, default_texture_))
+        return;
+    if (cursor_ > program_->tokens.data() && cursor_[-1].kind == TokenKind::right_brace)
+        --cursor_; // the object's own: recover() goes on behind it
+    fail(start, "the transforms of this object lead to numbers that are not finite",
+         "scale and move it by less: its numbers, the product of its three scales, and their inverses must be below "
+         "1.8e308");
 }
 
 /// Steps over `}` or `texture { Name } }`, if nothing else follows.

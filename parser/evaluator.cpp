@@ -67,11 +67,10 @@ bool Evaluator::item() {
     if (token.kind == TokenKind::sphere_run) {
         emit_sphere_run();
     } else if (accept(Word::sphere)) {
-        sphere_item();
+        sphere_item(token);
     } else if (starts_shape()) {
         Shape shape = object();
-        shape.dress_parts();
-        builder_.add_shape(shape, default_texture_);
+        add_to_scene(shape, token);
     } else if (accept(Word::camera)) {
         builder_.set_camera(camera());
         if (has_camera_)

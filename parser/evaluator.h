@@ -321,7 +321,8 @@ private:
     bool starts_object();
     bool starts_shape(); ///< an object or the name of one
     Shape object();
-    void sphere_item();
+    void sphere_item(const Token& start);
+    void add_to_scene(Shape& shape, const Token& start);
     bool plain_end(Surface& surface);
     Sphere<double> sphere_numbers(PartNodes& nodes);
     void sphere(Shape& shape);

@@ -224,8 +224,9 @@ void SceneBuilder::add_sphere_program(const Sphere<Varying>& sphere, uint32_t ma
     program_.sphere_materials.push_back(material);
 }
 
-/// A sphere at the end of its transforms: a sphere, or an ellipsoid from the first one on that squeezes it.
-void SceneBuilder::add_moving_sphere(const Sphere<Varying>& sphere, const MotionChain* chain, uint32_t material) {
+/// A sphere at the end of its transforms: a sphere, or an ellipsoid from the first one on that squeezes it. False if it
+/// has numbers that are not finite now.
+bool SceneBuilder::add_moving_sphere(const Sphere<Varying>& sphere, const MotionChain* chain, uint32_t material) {
     Sphere<Varying> moved = sphere;
     bool round = true;
     Affine<Varying> map;
@@ -238,13 +239,13 @@ void SceneBuilder::add_moving_sphere(const Sphere<Varying>& sphere, const Motion
         map = compose(step, round ? unit_sphere_map(moved) : map);
         round = false;
     }
-    if (round)
-        add_sphere_program(moved, material);
-    else
-        add_ellipsoid(map, material);
+    if (!round)
+        return add_ellipsoid(map, material);
+    add_sphere_program(moved, material);
+    return is_finite(program_.spheres.back());
 }
 
-void SceneBuilder::add_ellipsoid(const Affine<Varying>& map, uint32_t material) {
+bool SceneBuilder::add_ellipsoid(const Affine<Varying>& map, uint32_t material) {
     const Mat3<Varying> inverse = glm::inverse(map.linear);
     Moving<Ellipsoid<double>> ellipsoid;
     ellipsoid.set(ellipsoid.record.object_from_world, Affine<Varying>{inverse, -(inverse * map.offset)});
@@ -252,12 +253,14 @@ void SceneBuilder::add_ellipsoid(const Affine<Varying>& map, uint32_t material) 
     ellipsoid.record.material = material;
     add_fields(MotionField::Table::ellipsoids, program_.ellipsoids.size(), ellipsoid.nodes);
     program_.ellipsoids.push_back(ellipsoid.record);
+    return is_finite(ellipsoid->world_from_object) && is_finite(ellipsoid->object_from_world);
 }
 
-void SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
+bool SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
     const auto chain_of = [&](const auto& part) {
         return part.chain == part.still ? nullptr : shape.chains[part.chain].get();
     };
+    bool finite = true;
     PartNodesReader sphere_nodes(shape.moving_spheres), plane_nodes(shape.moving_planes);
     for (size_t i = 0; i < shape.spheres.size(); ++i) {
         const auto& part = shape.spheres[i];
@@ -267,10 +270,11 @@ void SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
         if (!chain && (nodes.vector | nodes.number) == 0) {
             program_.spheres.push_back(part.geometry);
             program_.sphere_materials.push_back(material);
+            finite = finite && is_finite(part.geometry);
             continue;
         }
         const MotionGraph::Scratch scratch(graph_);
-        add_moving_sphere(
+        finite &= add_moving_sphere(
             {with_nodes(part.geometry.center, nodes.vector, graph_), {part.geometry.radius, nodes.number}}, chain,
             material);
     }
@@ -280,7 +284,7 @@ void SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
         Affine<Varying> map = varying(part.geometry);
         for (const MotionChain* link : links_of(chain_of(part)))
             map = compose(link->transform.with_nodes().map, map);
-        add_ellipsoid(map, material);
+        finite &= add_ellipsoid(map, material);
     }
     for (size_t i = 0; i < shape.planes.size(); ++i) {
         const auto& part = shape.planes[i];
@@ -296,9 +300,11 @@ void SceneBuilder::add_shape(const Shape& shape, uint32_t default_texture) {
         record.record.material = material(part.surface, default_texture);
         add_fields(MotionField::Table::planes, program_.planes.size(), record.nodes);
         program_.planes.push_back(record.record);
+        finite = finite && is_finite(record->normal) && std::isfinite(record->distance);
     }
     for (const LightSource& light : shape.lights)
         add_light(light);
+    return finite;
 }
 
 void SceneBuilder::add_field(const MotionField& field, NodeId node) {

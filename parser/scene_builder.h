@@ -51,7 +51,8 @@ public:
     /// A sphere whose surface is a texture or nothing; with the nodes of its centre and radius.
     void add_sphere(const Sphere<double>& sphere, const PartNodes& nodes, const Surface& surface,
                     uint32_t default_texture);
-    void add_shape(const Shape& shape, uint32_t default_texture);
+    /// False if a part of it has numbers that are not finite, as its transforms left them.
+    [[nodiscard]] bool add_shape(const Shape& shape, uint32_t default_texture);
     void set_camera(const Camera<Varying>& camera);
     void set_sky(const Moving<SkySphere>& sky);
     void add_fog(const Moving<Fog<double>>& fog);
@@ -86,9 +87,9 @@ private:
     std::span<const ColorStop> stops_of(const Pattern& pattern) const;
     void add_light(const LightSource& source);
     const LayerRange& layer_range(uint32_t texture);
-    void add_moving_sphere(const Sphere<Varying>& sphere, const MotionChain* chain, uint32_t material);
+    bool add_moving_sphere(const Sphere<Varying>& sphere, const MotionChain* chain, uint32_t material);
     void add_sphere_program(const Sphere<Varying>& sphere, uint32_t material);
-    void add_ellipsoid(const Affine<Varying>& map, uint32_t material);
+    bool add_ellipsoid(const Affine<Varying>& map, uint32_t material);
     void add_field(const MotionField& field, NodeId node);
     void add_fields(MotionField::Table table, size_t index, const FieldNodes& nodes);
     void add_guards();

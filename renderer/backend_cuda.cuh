@@ -106,11 +106,8 @@ public:
     /// static combine(a, b) is associative.
     template <class T, class Kernel> T reduce(uint32_t count, const Kernel& kernel);
 
-
 private:
     static constexpr size_t staging_bytes = 4u << 20, result_bytes = 256;
-
-    template <class T, class Kernel> void reduce_to(T* result, uint32_t count, const Kernel& kernel);
 
     struct StreamDeleter {
         using pointer = cudaStream_t;
@@ -274,23 +271,20 @@ private:
     Pinned memory_;
 };
 
-template <class T, class Kernel> void CudaBackend::reduce_to(T* result, uint32_t count, const Kernel& kernel) {
-    size_t bytes = 0;
-    const auto run = [&](void* storage) {
-        cuda_check(cub::DeviceReduce::TransformReduce(storage, bytes, thrust::counting_iterator<uint32_t>(0), result,
-                                                      count, Combine<T>{}, kernel, T{}, stream_.get()));
-    };
-    run(nullptr);
-    scratch_.reserve(bytes);
-    run(scratch_.data());
-}
-
 template <class T, class Kernel> T CudaBackend::reduce(uint32_t count, const Kernel& kernel) {
     if (count == 0)
         return T{};
     static_assert(sizeof(T) <= result_bytes);
     result_.reserve(result_bytes);
-    reduce_to(static_cast<T*>(result_.data()), count, kernel);
+    size_t bytes = 0;
+    const auto run = [&](void* storage) {
+        cuda_check(cub::DeviceReduce::TransformReduce(storage, bytes, thrust::counting_iterator<uint32_t>(0),
+                                                      static_cast<T*>(result_.data()), count, Combine<T>{}, kernel, T{},
+                                                      stream_.get()));
+    };
+    run(nullptr);
+    scratch_.reserve(bytes);
+    run(scratch_.data());
     cuda_check(cudaMemcpyAsync(staging_.get(), result_.data(), sizeof(T), cudaMemcpyDeviceToHost, stream_.get()));
     synchronize();
     return *reinterpret_cast<const T*>(staging_.get());

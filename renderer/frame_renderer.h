@@ -81,9 +81,11 @@ struct FrameStatistics {
     std::string method;  ///< "grid", "cloud" or "brute"
     MethodRecord choice; ///< why
     std::array<uint32_t, 3> grid{0, 0, 0};
-    uint64_t references = 0; ///< entries in all voxels' lists
-    uint64_t occupied = 0;   ///< voxels with at least one
-    uint32_t outliers = 0;   ///< primitives beside a core, which is what the grid is for
+    std::array<uint32_t, 3> wanted_grid{0, 0, 0}; ///< not 0 if it had to be coarser than this
+    uint64_t most_voxels = 0;                     ///< then: the limit
+    uint64_t references = 0;                      ///< entries in all voxels' lists
+    uint64_t occupied = 0;                        ///< voxels with at least one
+    uint32_t outliers = 0;                        ///< primitives beside a core, which is what the grid is for
     Metric metric = Metric::chessboard;
     uint32_t brick = 0;       ///< voxels along a brick of the cloud
     double mean_distance = 0; ///< over the cloud's empty bricks, in bricks

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/frame_scheduler.h"
+#include "renderer/grid_resolution.h"
 #include "renderer/host_memory.h"
 #include "renderer/image_mean.h"
 #include "renderer/timing.h"
@@ -32,6 +33,15 @@ public:
 private:
     FrameRenderer& renderer_;
 };
+
+/// Says that a grid is coarser than it was to be, and why.
+std::string coarser_grid(const FrameStatistics& statistics) {
+    return fmt::format("the grid has {} voxels instead of {}: {}; frames may take longer",
+                       fmt::join(statistics.grid, "x"), fmt::join(statistics.wanted_grid, "x"),
+                       statistics.most_voxels < GridRule{}.most_voxels
+                           ? fmt::format("the memory that is free holds lists of about {}", statistics.most_voxels)
+                           : "there are at most 2^31");
+}
 
 } // namespace
 
@@ -161,6 +171,8 @@ void FrameScheduler::render(size_t number, RenderWorker& worker, FrameTask& task
     }
     if (!statistics.note.empty())
         config_.note(fmt::format("{}: {}", worker.device, statistics.note));
+    if (statistics.wanted_grid[0] > 0 && !said_coarser_.exchange(true))
+        config_.note(fmt::format("{}: {}", worker.device, coarser_grid(statistics)));
     const double milliseconds = stopwatch.milliseconds(); // waiting for the writer says nothing about the device
     if (task.assembly->add(worker.device, statistics)) {
         FrameRecord record = config_.describe(task);

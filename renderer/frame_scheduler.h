@@ -9,6 +9,7 @@
 #include "renderer/frame_writer.h"
 #include "renderer/stop_signal.h"
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -72,8 +73,9 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     size_t running_ = 0;
-    std::exception_ptr fatal_;        ///< ends the run
-    std::exception_ptr device_error_; ///< the last one
+    std::exception_ptr fatal_;               ///< ends the run
+    std::exception_ptr device_error_;        ///< the last one
+    std::atomic<bool> said_coarser_ = false; ///< that a grid is coarser than it was to be
     std::vector<std::thread> threads_;
 };
 

@@ -113,6 +113,11 @@ public:
             return;
         for (int i = 0; i < 3; ++i)
             statistics.grid[i] = uint32_t(grid.size[i]);
+        if (grid.size != wanted_) {
+            for (int i = 0; i < 3; ++i)
+                statistics.wanted_grid[i] = uint32_t(wanted_[i]);
+            statistics.most_voxels = most_voxels_;
+        }
         statistics.outliers = has_core_ ? outliers_.total().left_out : 0;
         statistics.references = seen_counts_.value().links;
         statistics.occupied = seen_counts_.value().occupied;
@@ -128,7 +133,7 @@ public:
     EmptySpace look(SceneView<Real> scene, const GridPlan& plan) {
         if (total_.bounded == 0)
             return {};
-        scene.grid = planned(scene.geometry.bounds, plan);
+        scene.grid = planned(scene.geometry.bounds, plan, most_voxels_);
         cloud_.mark_planned(scene, plan.metric);
         cloud_.measure(scene.grid.cloud);
         backend_.synchronize();
@@ -171,11 +176,11 @@ private:
     uint64_t link_budget() const { return std::min<uint64_t>(most_links, budget() / sizeof(GridLink)); }
 
     /// A grid without lists, over the bounds or the core.
-    GridView<Real> planned(const Box<Real>& bounds, const GridPlan& plan) const {
+    GridView<Real> planned(const Box<Real>& bounds, const GridPlan& plan, uint64_t most_voxels) const {
         if (!has_core_)
-            return grid_over(bounds, voxels(bounds, total_.bounded, plan), plan.brick);
+            return grid_over(bounds, voxels(bounds, total_.bounded, plan, most_voxels), plan.brick);
         const Box<Real> box = padded(outliers_.total().box, pad_of(total_.box));
-        std::array<uint32_t, 3> size = voxels(box, outliers_.total().bounded, plan);
+        std::array<uint32_t, 3> size = voxels(box, outliers_.total().bounded, plan, most_voxels);
         // Rays come from afar: by what they may stray then, a voxel must be larger.
         const Real stray = max_component(bounds.upper - bounds.lower) * Real(16) * std::numeric_limits<Real>::epsilon();
         for (int i = 0; i < 3; ++i)
@@ -187,11 +192,12 @@ private:
         return grid;
     }
 
-    std::array<uint32_t, 3> voxels(const Box<Real>& bounds, uint32_t count, const GridPlan& plan) const {
+    static std::array<uint32_t, 3> voxels(const Box<Real>& bounds, uint32_t count, const GridPlan& plan,
+                                          uint64_t most_voxels) {
         const Vec3<double> extent(bounds.upper - bounds.lower);
         GridRule rule;
         rule.voxels_per_primitive = plan.voxels_per_primitive;
-        rule.most_voxels = most_voxels_;
+        rule.most_voxels = most_voxels;
         std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, count, rule);
         for (int i = 0; i < 3; ++i)
             if (plan.size[i] > 0)
@@ -225,7 +231,8 @@ private:
             link_room_ = std::min<uint64_t>(uint64_t(total_.bounded) * expected_links, link_budget());
         if (!has_seen_[plan.brick > 0])
             most_voxels_ = std::min(most_voxels_, budget() / 2 / sizeof(uint32_t));
-        scene.grid = planned(scene.geometry.bounds, plan);
+        scene.grid = planned(scene.geometry.bounds, plan, most_voxels_);
+        wanted_ = planned(scene.geometry.bounds, plan, ~uint64_t(0)).size;
         cells_ = scene.grid.cell_count();
         is_coarsest_ = (plan.brick > 0 ? scene.grid.cloud.brick_count() : cells_) == 1;
         if (links_.size() < link_room_)
@@ -266,6 +273,7 @@ private:
     BoundsTotal<Real> total_; ///< of the scene
     Real typical_radius_ = Real(0), largest_radius_ = Real(0);
     bool has_core_ = false;
+    Vec3<int32_t> wanted_{0}; ///< the grid's size, were there no limit
     uint64_t cells_ = 0;
     bool is_coarsest_ = false; ///< the grid is one voxel, or one brick
     uint64_t link_room_ = 0;

@@ -42,6 +42,7 @@ Json frame_json(const FrameRecord& record) {
             {"metric", metric_json(statistics)},
             {"brick", statistics.brick},
             {"grid", statistics.grid},
+            {"wanted_grid", statistics.wanted_grid[0] ? Json(statistics.wanted_grid) : Json()},
             {"references", statistics.references},
             {"occupied", statistics.occupied},
             {"outliers", statistics.outliers},

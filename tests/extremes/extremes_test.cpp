@@ -100,9 +100,14 @@ TEST_CASE("extremes: in double an outline is where it is, to the last bit of a r
 TEST_CASE("extremes: what a scene has twice throws no shadow on itself, and of glass it is as if once") {
     const Declares kinds[] = {{{"Kind", "0"}}, {{"Kind", "1"}}, {{"Kind", "2"}}, {{"Kind", "2"}, {"Inside", "1"}}};
     for (const Declares& kind : kinds)
-        for (const Precision precision : {Precision::float32, Precision::float64}) {
+        for (const auto& [precision, height] : {std::pair(Precision::float32, "1"),
+                                                {Precision::float64, "1"},
+                                                {Precision::float32, "0.7"},
+                                                {Precision::float64, "0.7"}}) {
             CAPTURE(kind.size());
+            CAPTURE(height);
             ExtremeCase extreme{"", "twice.scn", kind};
+            extreme.declares.emplace_back("Height", height);
             extreme.declares.emplace_back("Times", "1");
             FrameSettings settings = settings_of(extreme, precision);
             settings.accelerator = Accelerator::brute;

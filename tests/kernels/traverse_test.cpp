@@ -343,6 +343,11 @@ TEST_CASE("traverse: a grid whose lists do not fit into memory is made coarser, 
                 builder.build_distances(grid);
             CHECK(builder.is_complete());
             CHECK(grid.grid.cell_count() < 100 * 100 * 100);
+            FrameStatistics statistics;
+            builder.report(grid.grid, statistics);
+            CHECK(statistics.wanted_grid == std::array<uint32_t, 3>{100, 100, 100});
+            CHECK(statistics.most_voxels < 100 * 100 * 100);
+            CHECK(statistics.grid[0] == uint32_t(grid.grid.size.x));
             const bool is_coarsest = grid.grid.cell_count() == (brick > 0 ? 64 : 1);
             CHECK((is_coarsest || grid.grid.links.size_bytes() <= memory));
             check_same_hits(brute, grid, random);
@@ -399,6 +404,9 @@ TEST_CASE("traverse: lists that have grown since the last frame are made once mo
         builder.find_bounds(grid.geometry);
         builder.build(grid, plan);
         CHECK(builder.is_complete());
+        FrameStatistics statistics;
+        builder.report(grid.grid, statistics);
+        CHECK(statistics.wanted_grid[0] == 0); // it is as it was to be
 
         auto grown = spheres;
         for (Sphere<float>& sphere : grown)

@@ -116,9 +116,7 @@ Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
         return Likeness::none;
     Likeness result = Likeness::bits;
     for (size_t i = 0; i < a.size(); ++i)
-        if (std::isnan(a[i]) && std::isnan(b[i]))
-            continue;
-        else if (a[i] != b[i])
+        if (a[i] != b[i])
             return Likeness::none;
         else if (std::signbit(a[i]) != std::signbit(b[i]))
             result = Likeness::but_signs_of_zeros;

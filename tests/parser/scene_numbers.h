@@ -11,7 +11,7 @@ namespace proxima::testing {
 std::vector<double> numbers_of(const SceneProgram& scene);
 
 enum class Likeness { none, but_signs_of_zeros, bits };
-/// How like two scenes' numbers are. NaN is like NaN alone: transforms that overflow make it.
+/// How like two scenes' numbers are. NaN is like nothing.
 Likeness likeness(const std::vector<double>& a, const std::vector<double>& b);
 
 } // namespace proxima::testing

@@ -21,6 +21,7 @@ public:
         std::function<void(int)> before_frame = [](int) {};
         std::atomic<int>* scenes_set = nullptr;
         uint32_t most_rows = 0; ///< that fit into its memory; 0: any number
+        bool coarse = false;    ///< the grid that is wanted does not
     };
     explicit FakeRenderer(Behavior behavior) : behavior_(std::move(behavior)) {}
 
@@ -41,6 +42,11 @@ public:
         std::fill(image.row(band.first), image.row(band.first) + size_t(band.count) * settings.width * 3, background_);
         FrameStatistics statistics;
         statistics.trace_ms = 1;
+        if (behavior_.coarse) {
+            statistics.grid = {20, 10, 5};
+            statistics.wanted_grid = {40, 20, 10};
+            statistics.most_voxels = 1000;
+        }
         return statistics;
     }
 

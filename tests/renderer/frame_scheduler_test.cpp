@@ -283,6 +283,14 @@ TEST_CASE("scheduler: a device out of memory goes on with as many rows as fit, a
     }
 }
 
+TEST_CASE("scheduler: a grid that is coarser than it was to be is told of once") {
+    Run run;
+    run({{.milliseconds = 1}, {.milliseconds = 1, .coarse = true}});
+    REQUIRE(run.notes.size() == 1);
+    CHECK(run.notes[0] == "device 1: the grid has 20x10x5 voxels instead of 40x20x10: the memory that is free holds "
+                          "lists of about 1000; frames may take longer");
+}
+
 TEST_CASE("scheduler: a picture that does not fit in the smallest tiles either goes to another device") {
     Run run;
     run.height = 300;

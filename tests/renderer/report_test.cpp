@@ -47,9 +47,9 @@ TEST_CASE("statistics: the documented names are there") {
     CHECK(json["peak_host_bytes"] > 1'000'000);
     const auto& frame = json["frames"][0];
     for (const char* name :
-         {"frame",      "file",        "device",   "precision",     "method",    "metric",           "grid",
-          "references", "occupied",    "outliers", "mean_distance", "motion_ms", "build_ms",         "cloud_ms",
-          "trace_ms",   "readback_ms", "color_ms", "encode_ms",     "write_ms",  "peak_device_bytes"})
+         {"frame",       "file",       "device",      "precision", "method",        "metric",    "grid",
+          "wanted_grid", "references", "occupied",    "outliers",  "mean_distance", "motion_ms", "build_ms",
+          "cloud_ms",    "trace_ms",   "readback_ms", "color_ms",  "encode_ms",     "write_ms",  "peak_device_bytes"})
         CHECK_MESSAGE(frame.contains(name), name);
     CHECK(frame["grid"] == nlohmann::json{2, 3, 4});
     CHECK(frame["frame"] == 3);
