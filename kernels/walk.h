@@ -161,7 +161,7 @@ public:
         const bool is_last = leave >= end_;
         const uint32_t here = head_;
         head_ = is_last ? no_link : grid.heads[voxel_]; // on its way while this voxel's list is met
-        return !(meet_list<shapes>(grid, here, visitor) || is_last || visitor.is_done(leave));
+        return !(meet_list<shapes>(grid, here, visitor) || visitor.is_done(leave) || is_last);
     }
 
 private:
