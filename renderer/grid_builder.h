@@ -6,24 +6,15 @@
 #include "renderer/cloud_builder.h"
 #include "renderer/device_error.h"
 #include "renderer/frame_renderer.h"
-#include "renderer/grid_resolution.h"
+#include "renderer/grid_plan.h"
 #include "renderer/method_record.h"
 #include "renderer/outlier_rule.h"
 #include "renderer/outskirts_builder.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace proxima {
-
-/// What a grid is to be like.
-struct GridPlan {
-    std::array<uint32_t, 3> size{0, 0, 0}; ///< voxels along each axis; 0: by voxels_per_primitive
-    double voxels_per_primitive = GridRule{}.voxels_per_primitive;
-    uint32_t brick = 0; ///< voxels along a brick of the cloud, a power of two; 0: no cloud
-    Metric metric = Metric::chessboard;
-};
 
 template <class Backend, class Real> class GridBuilder {
 public:
@@ -157,18 +148,6 @@ private:
         geometry.large = large_.view();
     }
 
-    /// Wide enough for all rounding of boxes, entry points and walks; a flat scene gets some thickness.
-    static Real pad_of(const Box<Real>& box) {
-        const Real epsilon = std::numeric_limits<Real>::epsilon();
-        Real reach = 0;
-        for (int i = 0; i < 3; ++i)
-            reach = larger(reach, larger(magnitude(box.lower[i]), magnitude(box.upper[i])));
-        return max_component(box.upper - box.lower) * Real(64) * epsilon + reach * Real(16) * epsilon;
-    }
-    static Box<Real> padded(const Box<Real>& box, Real pad) {
-        return {box.lower - Vec3<Real>(pad), box.upper + Vec3<Real>(pad)};
-    }
-
     /// Bytes that the lists may take: what they have, and half of what is left.
     uint64_t budget() const {
         return (backend_.available_memory() + heads_.bytes() + links_.bytes() + cloud_.bytes()) / 2;
@@ -178,9 +157,9 @@ private:
     /// A grid without lists, over the bounds or the core.
     GridView<Real> planned(const Box<Real>& bounds, const GridPlan& plan, uint64_t most_voxels) const {
         if (!has_core_)
-            return grid_over(bounds, voxels(bounds, total_.bounded, plan, most_voxels), plan.brick);
+            return grid_over(bounds, planned_voxels(bounds, total_.bounded, plan, most_voxels), plan.brick);
         const Box<Real> box = padded(outliers_.total().box, pad_of(total_.box));
-        std::array<uint32_t, 3> size = voxels(box, outliers_.total().bounded, plan, most_voxels);
+        std::array<uint32_t, 3> size = planned_voxels(box, outliers_.total().bounded, plan, most_voxels);
         // Rays come from afar: by what they may stray then, a voxel must be larger.
         const Real stray = max_component(bounds.upper - bounds.lower) * Real(16) * std::numeric_limits<Real>::epsilon();
         for (int i = 0; i < 3; ++i)
@@ -189,35 +168,6 @@ private:
         grid.inflation += stray;
         grid.part = GridPart::core;
         grid.core = outliers_.core();
-        return grid;
-    }
-
-    static std::array<uint32_t, 3> voxels(const Box<Real>& bounds, uint32_t count, const GridPlan& plan,
-                                          uint64_t most_voxels) {
-        const Vec3<double> extent(bounds.upper - bounds.lower);
-        GridRule rule;
-        rule.voxels_per_primitive = plan.voxels_per_primitive;
-        rule.most_voxels = most_voxels;
-        std::array<uint32_t, 3> voxels = grid_resolution({extent.x, extent.y, extent.z}, count, rule);
-        for (int i = 0; i < 3; ++i)
-            if (plan.size[i] > 0)
-                voxels[i] = std::min(plan.size[i], uint32_t(rule.longest));
-        while (uint64_t(voxels[0]) * voxels[1] * voxels[2] > rule.most_voxels) // a size that was asked for
-            for (uint32_t& n : voxels)
-                n = std::max(1u, uint32_t(n * 0.8));
-        return voxels;
-    }
-
-    /// The grid over the bounds; with bricks, as many whole ones as hold the voxels that were asked for.
-    static GridView<Real> grid_over(const Box<Real>& bounds, std::array<uint32_t, 3> voxels, uint32_t brick) {
-        Vec3<int32_t> bricks;
-        for (int i = 0; i < 3 && brick > 0; ++i) {
-            bricks[i] = int32_t((voxels[i] + brick - 1) / brick);
-            voxels[i] = uint32_t(bricks[i]) * brick;
-        }
-        GridView<Real> grid = make_grid(bounds, Vec3<int32_t>(voxels[0], voxels[1], voxels[2]));
-        if (brick > 0)
-            grid.cloud = {.size = bricks, .shift = std::countr_zero(brick)};
         return grid;
     }
 
