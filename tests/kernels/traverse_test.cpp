@@ -29,6 +29,16 @@ std::vector<Sphere<Real>> spheres_of(RandomNumbers& random, int count, const Vec
     return spheres;
 }
 
+template <class Real>
+SceneView<Real> scene_of(const std::vector<Sphere<Real>>& spheres, const std::vector<uint32_t>& materials,
+                         const std::vector<Material>& surfaces) {
+    SceneView<Real> scene;
+    scene.geometry.spheres = spheres;
+    scene.geometry.sphere_materials = materials;
+    scene.surfaces.materials = surfaces;
+    return scene;
+}
+
 /// A ray of one of the kinds that break grids.
 template <class Real>
 Ray<Real> awkward_ray(RandomNumbers& random, int kind, const Box<Real>& bounds, const Vec3<Real>& target) {
@@ -89,10 +99,7 @@ TEST_CASE_TEMPLATE("traverse: every grid and cloud finds what brute force finds,
         const auto spheres = spheres_of<Real>(random, 300, spread);
         const std::vector<uint32_t> materials(spheres.size(), 0);
         const std::vector<Material> surfaces(1);
-        SceneView<Real> brute;
-        brute.geometry.spheres = spheres;
-        brute.geometry.sphere_materials = materials;
-        brute.surfaces.materials = surfaces;
+        SceneView<Real> brute = scene_of(spheres, materials, surfaces);
         GridBuilder<CpuBackend, Real> builder(backend);
         builder.find_bounds(brute.geometry);
         for (const GridPlan& plan : plans) {
@@ -160,10 +167,7 @@ TEST_CASE_TEMPLATE("traverse: a core's grid and its outskirts' find what brute f
             const auto spheres = stadium<Real>(random, std::span(middles, 1), width, outliers);
             const std::vector<uint32_t> materials(spheres.size(), 0);
             const std::vector<Material> surfaces(1);
-            SceneView<Real> brute;
-            brute.geometry.spheres = spheres;
-            brute.geometry.sphere_materials = materials;
-            brute.surfaces.materials = surfaces;
+            SceneView<Real> brute = scene_of(spheres, materials, surfaces);
             GridBuilder<CpuBackend, Real> builder(backend);
             builder.find_bounds(brute.geometry);
             builder.find_core(brute.geometry, false);
@@ -299,15 +303,6 @@ struct SmallBackend : CpuBackend {
     uint64_t available_memory() { return size - std::min(size, memory().now()); }
 };
 
-SceneView<float> scene_of(const std::vector<Sphere<float>>& spheres, const std::vector<uint32_t>& materials,
-                          const std::vector<Material>& surfaces) {
-    SceneView<float> scene;
-    scene.geometry.spheres = spheres;
-    scene.geometry.sphere_materials = materials;
-    scene.surfaces.materials = surfaces;
-    return scene;
-}
-
 void check_same_hits(const SceneView<float>& brute, const SceneView<float>& grid, RandomNumbers& random) {
     for (int i = 0; i < 300; ++i) {
         const Vec3<float> target(float(random(-1, 1)), float(random(-1, 1)), float(random(-1, 1)));
@@ -423,4 +418,35 @@ TEST_CASE("traverse: lists that have grown since the last frame are made once mo
         CHECK(builder.is_complete());
         check_same_hits(brute, grid, random);
     }
+}
+
+TEST_CASE("traverse: a core is given up in the frame in which it no longer holds, and looked for now and then") {
+    RandomNumbers random{std::mt19937(31)};
+    const Vec3<double> middles[] = {{0.3, -0.2, 0.4}};
+    const auto dense = stadium<float>(random, middles, 0.05, 50);
+    const auto spread = stadium<float>(random, middles, 1.5, 50);
+    const std::vector<uint32_t> materials(dense.size(), 0);
+    const std::vector<Material> surfaces(1);
+    CpuBackend backend;
+    GridBuilder<CpuBackend, float> builder(backend);
+    const auto part_of = [&](const std::vector<Sphere<float>>& spheres, bool anew) {
+        SceneView<float> brute = scene_of(spheres, materials, surfaces);
+        builder.find_bounds(brute.geometry);
+        builder.find_core(brute.geometry, anew);
+        SceneView<float> grid = brute;
+        builder.build(grid, {});
+        check_same_hits(brute, grid, random);
+        CHECK(grid.outskirts.in_use() == (grid.grid.part == GridPart::core));
+        return grid.grid.part;
+    };
+    CHECK(part_of(dense, false) == GridPart::core);
+    CHECK(part_of(dense, false) == GridPart::core);
+    CHECK(part_of(spread, false) == GridPart::all);
+    CHECK(part_of(dense, false) == GridPart::all); // nobody looked
+    CHECK(part_of(dense, true) == GridPart::core);
+    CHECK(part_of(spread, false) == GridPart::all);
+    uint32_t frames = 1;
+    while (part_of(dense, false) == GridPart::all && frames < 1000)
+        ++frames;
+    CHECK(frames == OutlierRule<CpuBackend, float>::interval + 1);
 }
