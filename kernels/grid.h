@@ -17,7 +17,7 @@ struct alignas(8) GridLink {
 };
 inline constexpr uint32_t no_link = 0xffffffffu;
 
-/// Which primitives a grid is for, by their centres: see SceneView::outskirts.
+/// Which primitives a grid is for, by their centres and radii: see SceneView::outskirts.
 enum class GridPart : uint8_t { all, core, outskirts };
 
 template <class Real> struct GridView {
@@ -31,11 +31,13 @@ template <class Real> struct GridView {
     std::span<GridLink> links; ///< in no order
     CloudView cloud;           ///< without bricks: every voxel has a slot of its own
     GridPart part = GridPart::all;
-    Box<Real> core; ///< those with their centres within it are the core
+    Box<Real> core;                    ///< those with their centres within it are the core
+    Real core_radius = infinity<Real>; ///< but for larger ones
 
     HD bool in_use() const { return size.x > 0; }
-    HD bool is_for(const Vec3<Real>& center) const {
-        return part == GridPart::all || contains(core, center) == (part == GridPart::core);
+    HD bool is_for(const Vec3<Real>& center, Real radius) const {
+        const bool is_core = contains(core, center) && radius <= core_radius;
+        return part == GridPart::all || is_core == (part == GridPart::core);
     }
     /// Where the grid lies: without a part, in all of the frame's bounds.
     HD Box<Real> box() const { return {lower, lower + voxel * end}; }
@@ -85,6 +87,7 @@ template <class Real> HD GridView<Real> brick_grid(const GridView<Real>& grid) {
     bricks.inflation = grid.inflation;
     bricks.part = grid.part;
     bricks.core = grid.core;
+    bricks.core_radius = grid.core_radius;
     return bricks;
 }
 

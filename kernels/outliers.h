@@ -62,16 +62,17 @@ template <class Real> Box<Real> core_of(const SpreadTotal& spread, const Box<Rea
     return core;
 }
 
-/// Primitive -> its part of the BoundsTotal of those bounded ones that have their centres in a box; the others are left
-/// out.
+/// Primitive -> its part of the BoundsTotal of those bounded ones that have their centres in a box and are not too
+/// large; the others are left out.
 template <class Real> struct MeasureCore {
     GeometryView<Real> geometry;
     Box<Real> core;
+    Real largest;
 
     HD BoundsTotal<Real> operator()(uint32_t id) const {
         if (!geometry.is_bounded(id))
             return {};
-        if (!contains(core, geometry.center(id)))
+        if (!contains(core, geometry.center(id)) || geometry.radius(id) > largest)
             return {.left_out = 1};
         return {geometry.box(id), 1, 0};
     }

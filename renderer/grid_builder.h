@@ -57,13 +57,14 @@ public:
         largest_radius_ = std::min(size.largest, geometry.large_radius);
     }
 
-    /// Whether most primitives are close together, far from all others: then grids are for those, and the others get
-    /// one of their own. After find_bounds(). `anew`: whatever was found in the frames before.
+    /// Whether most primitives are close together, far from all others, or much smaller than these: then grids are for
+    /// those, and the others get one of their own. After find_bounds(). `anew`: whatever was found in the frames
+    /// before.
     void find_core(const GeometryView<Real>& geometry, bool anew) {
         if (anew)
             outliers_.forget();
         if (total_.bounded >= fewest_for_core)
-            outliers_.look(backend_, geometry, total_, typical_radius_);
+            outliers_.look(backend_, geometry, total_, typical_radius_, largest_radius_);
         has_core_ = total_.bounded >= fewest_for_core && outliers_.found();
     }
 
@@ -168,6 +169,7 @@ private:
         grid.inflation += stray;
         grid.part = GridPart::core;
         grid.core = outliers_.core();
+        grid.core_radius = outliers_.radius();
         return grid;
     }
 
@@ -204,7 +206,7 @@ private:
         backend_.for_each(link.item_count(primitives), link);
         scene.outskirts = {};
         if (has_core_)
-            outskirts_.build(scene, outliers_.core(), outliers_.total().left_out, largest_radius_);
+            outskirts_.build(scene, scene.grid, outliers_.total().left_out, largest_radius_);
         seen_counts_.request(counts_);
     }
 

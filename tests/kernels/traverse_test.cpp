@@ -450,3 +450,30 @@ TEST_CASE("traverse: a core is given up in the frame in which it no longer holds
         ++frames;
     CHECK(frames == OutlierRule<CpuBackend, float>::interval + 1);
 }
+
+TEST_CASE("traverse: large spheres among small ones are not in the voxels of these") {
+    RandomNumbers random{std::mt19937(37)};
+    std::vector<Sphere<float>> spheres;
+    for (int i = 0; i < 2000; ++i)
+        spheres.push_back({Vec3<float>(float(random(-1, 1)), float(random(-1, 1)), float(random(-1, 1))),
+                           float(i % 20 == 0 ? random(0.1, 0.2) : random(0.001, 0.003))});
+    const std::vector<uint32_t> materials(spheres.size(), 0);
+    const std::vector<Material> surfaces(1);
+    SceneView<float> brute = scene_of(spheres, materials, surfaces);
+    CpuBackend backend;
+    GridBuilder<CpuBackend, float> builder(backend);
+    builder.find_bounds(brute.geometry);
+    REQUIRE(brute.geometry.large.empty()); // a ray cannot test all that are
+    builder.find_core(brute.geometry, false);
+    for (const GridPlan& plan : plans) {
+        SceneView<float> grid = brute;
+        builder.build(grid, plan);
+        if (plan.brick > 0)
+            builder.build_distances(grid);
+        FrameStatistics statistics;
+        builder.report(grid.grid, statistics);
+        CHECK(statistics.outliers == 100);
+        CHECK(statistics.references <= 8 * 1900);
+        check_same_hits(brute, grid, random);
+    }
+}
