@@ -6,6 +6,7 @@
 #include "renderer/method_prior.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 
 namespace proxima {
@@ -18,8 +19,9 @@ public:
     static constexpr double clear = 2;         ///< times: predictions that are further apart are taken
     static constexpr double moved = 1.5;       ///< times: by so much they move before what was timed counts no more
     static constexpr double hysteresis = 0.05; ///< a method must be better by so much to take over
-    static constexpr double plain = 1.5;       ///< times: a difference that need not be timed twice
-    static constexpr uint32_t timings = 2;     ///< of a trial; the least counts
+    static constexpr double plain = 2;         ///< times: a difference that need not be timed twice
+    static constexpr uint32_t timings = 3; ///< of a trial; the least counts, for workers of a device disturb each other
+    static constexpr uint32_t settled = 4; ///< timings of the method in use before a trial; the least of the last
 
     explicit MethodChoice(const DeviceCosts& costs) : costs_(costs) {}
 
@@ -108,17 +110,15 @@ public:
     }
 
 private:
-    /// The last two.
+    /// The last few.
     struct Times {
-        double last = 0, before = 0;
+        std::array<double, settled> last{};
         uint32_t count = 0;
 
-        void add(double ms) {
-            before = count > 0 ? last : ms;
-            last = ms;
-            ++count;
+        void add(double ms) { last[count++ % settled] = ms; }
+        double least() const {
+            return count > 0 ? *std::min_element(last.begin(), last.begin() + std::min(count, settled)) : 0.0;
         }
-        double least() const { return std::min(last, before); }
     };
 
     /// What of the settings decides how long frames take.
@@ -143,7 +143,7 @@ private:
             method_ = best_of(predicted_);
             is_measured_ = is_trying_ = false;
             next_trial_ = frames_;
-        } else if (!is_trying_ && frames_ > next_trial_ && times_[method_].count >= timings) {
+        } else if (!is_trying_ && frames_ > next_trial_ && times_[method_].count >= settled) {
             is_trying_ = true;
             timed_ = 0;
             times_[other_than(method_)] = {};

@@ -57,14 +57,14 @@ TEST_CASE("method: a renderer tries what is close, and its pictures are the same
     settings.width = 64;
     settings.height = 36;
     Image first, image;
-    for (int frame = 0; frame < 10; ++frame) {
+    for (int frame = 0; frame < 12; ++frame) {
         const FrameStatistics statistics = renderer->render(settings, frame == 0 ? first : image);
         CAPTURE(frame);
         const MethodReason reason = statistics.choice.reason;
-        CHECK(reason == (frame < 3 ? MethodReason::prior : frame < 5 ? MethodReason::trial : reason));
-        if (frame == 3)
+        CHECK(reason == (frame < 5 ? MethodReason::prior : frame < 7 ? MethodReason::trial : reason));
+        if (frame == 5)
             CHECK(statistics.method == "cloud");
-        if (frame >= 6)
+        if (frame >= 9)
             CHECK(reason == MethodReason::measured);
         if (frame > 0)
             CHECK(image.rgb == first.rgb);
