@@ -9,8 +9,8 @@
 
 namespace proxima {
 
-/// Blocks of threads that share a multiprocessor while rays are on their way; 64 registers a thread. 10 and 12 are slower
-/// on an H200, but in full scenes of a million spheres and more: see tests/bench/NOTES.md.
+/// Blocks of threads that share a multiprocessor while rays are on their way; 64 registers a thread. 10 and 12 are
+/// slower on an H200, but in full scenes of a million spheres and more: see tests/bench/NOTES.md.
 inline constexpr uint32_t most_blocks = 8;
 
 /// A pass over a wave of pixels in tiled order; one sample of each.

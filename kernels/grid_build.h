@@ -86,7 +86,8 @@ template <class Real> struct ListLarge {
 
 /// Whether a primitive belongs into a grid's lists.
 template <class Real> HD bool is_listed(const GridView<Real>& grid, const GeometryView<Real>& geometry, uint32_t id) {
-    return geometry.is_bounded(id) && (grid.part == GridPart::all || grid.is_for(geometry.center(id), geometry.radius(id)));
+    return geometry.is_bounded(id) &&
+           (grid.part == GridPart::all || grid.is_for(geometry.center(id), geometry.radius(id)));
 }
 
 /// The voxels of a primitive that needs few of them; none of one that is not listed. Otherwise it is not small.

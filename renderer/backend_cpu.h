@@ -97,7 +97,6 @@ public:
         });
     }
 
-
 private:
     static int usable(unsigned threads) {
         const int cores = tbb::info::default_concurrency();

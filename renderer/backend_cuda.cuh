@@ -46,7 +46,7 @@ class CudaBackend {
 public:
     static constexpr uint64_t stack_memory = 1ull << 30;
     static constexpr const DeviceCosts& method_costs = cuda_costs;
-    static constexpr uint32_t primitives_together = 1;   ///< of an item of LinkPrimitives
+    static constexpr uint32_t primitives_together = 1; ///< of an item of LinkPrimitives
     static constexpr bool traces_packets = false;
     static constexpr bool is_immediate = false; ///< verbs are done after the next synchronize()
 
