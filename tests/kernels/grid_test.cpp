@@ -2,9 +2,14 @@
 #include "kernels/grid.h"
 #include "renderer/grid_resolution.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <doctest/doctest.h>
+#include <iterator>
 #include <random>
 #include <set>
+#include <vector>
 
 using namespace proxima;
 
@@ -87,4 +92,39 @@ TEST_CASE("grid resolution: cubic voxels, one along an axis without extent, neve
         CAPTURE(row.what);
         CHECK(grid_resolution(row.extent, row.count, row.rule) == row.size);
     }
+}
+
+TEST_CASE("grid: the voxels of small spheres are those of their rows, but for what rounding leaves open") {
+    std::mt19937 engine(41);
+    const auto random = [&](double low, double high) { return low + (high - low) * (engine() / 4294967296.0); };
+    const GridView<float> grid =
+        make_grid(Box<float>{Vec3<float>(-1, -2, -1), Vec3<float>(1, 2, 3)}, Vec3<int32_t>(20, 31, 45));
+    int small = 0, open = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Sphere<float> sphere{{float(random(-1, 1)), float(random(-2, 2)), float(random(-1, 3))},
+                                   float(random(0.001, 0.06))};
+        const SmallCells cells = small_cells(grid, sphere);
+        if (!cells.is_small)
+            continue;
+        ++small;
+        std::set<std::array<int32_t, 3>> by_mask, by_rows;
+        cells.for_each([&](int32_t x, int32_t y, int32_t z) { by_mask.insert({x, y, z}); });
+        for_each_cell(grid, sphere, [&](int32_t x, int32_t y, int32_t z) { by_rows.insert({x, y, z}); });
+        CHECK(cells.count() == by_mask.size());
+        std::vector<std::array<int32_t, 3>> different;
+        std::ranges::set_symmetric_difference(by_mask, by_rows, std::back_inserter(different));
+        open += int(different.size());
+        for (const auto& cell : different) { // as far as the sphere reaches, neither more nor less
+            double gap2 = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double center = double(sphere.center[axis]) - double(grid.lower[axis]);
+                const double low = double(grid.voxel[axis]) * cell[size_t(axis)], high = low + double(grid.voxel[axis]);
+                const double gap = std::max({low - center, center - high, 0.0});
+                gap2 += gap * gap;
+            }
+            CHECK(std::sqrt(gap2) == doctest::Approx(double(sphere.radius) + double(grid.inflation)).epsilon(1e-4));
+        }
+    }
+    CHECK(small > 10000);
+    CHECK(open < 20);
 }
